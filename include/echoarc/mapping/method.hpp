@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "echoarc/core/arc.hpp"
+#include "echoarc/core/executor.hpp"
+#include "echoarc/core/options.hpp"
+#include "echoarc/core/reading.hpp"
+#include "echoarc/maps/dense_grid.hpp"
+#include "echoarc/maps/point_map.hpp"
+
+namespace echoarc {
+
+/// What became of the readings a method was given. Every reading is counted once.
+struct InsertCounters {
+  std::uint64_t used = 0;            ///< changed the map
+  std::uint64_t no_information = 0;  ///< says nothing to this method (silence, to a method of arcs alone)
+  std::uint64_t no_arc = 0;  ///< bistatic geometry without an arc: path too short, axes more than 90 degrees apart
+  std::uint64_t memory_limit = 0;  ///< left out because the grid had reached its memory limit
+  friend bool operator==(const InsertCounters&, const InsertCounters&) = default;
+};
+
+/// One named number of a method's formula, for people who want to follow it step by step.
+struct Term {
+  std::string_view name;
+  double value = 0.0;
+  std::string_view unit = "";
+};
+
+/// What one reading does to one cell.
+struct CellChange {
+  Cell cell;
+  Vec2 centre;
+  double before = 0.0;  ///< in the unit of the method's own cell value
+  double after = 0.0;
+  std::vector<Term> terms;
+};
+
+/// What inserting a reading into the present map would do; the map is not changed.
+struct Trace {
+  std::optional<Arc> arc;
+  std::vector<Vec2> points;  ///< points added, for point methods
+  std::vector<CellChange> cells;
+};
+
+/// Dense exports are at most this large: 2^28 cells, a square of 164 m at 1 cm.
+inline constexpr std::int64_t max_export_cells = std::int64_t{1} << 28;
+
+/// What every method can hand over, whatever its own map looks like.
+struct MapExport {
+  PointMap points;              ///< the map's points; of a grid the centres of its occupied cells
+  DenseGrid<CellState> states;  ///< free, unknown, occupied
+  std::variant<std::monostate, DenseGrid<float>, DenseGrid<std::uint16_t>> values;  ///< the method's own cell values
+};
+
+/// A mapping method: readings in, map out, incrementally.
+///
+/// - `insert` takes readings in the order of time; in one span or one by one, the result is the same.
+/// - `finish` brings the map up to date with everything inserted so far; more readings may follow.
+/// - `map` is the method's own representation, valid after `finish`; `export_map` is what all methods share, an error
+/// when
+///   the map is spread too far to be drawn as one picture (`max_export_cells`).
+/// - `trace` tells what a reading would change; `supports` whether it speaks for something at a position, so that the
+///   pings behind a grid cell are found by replaying the log (point methods also keep them in their map).
+/// - `save` and `restore` carry the whole state; afterwards both behave the same.
+template <class M>
+concept MappingMethod =
+    OptionStruct<typename M::Options> && std::constructible_from<M, typename M::Options> && std::movable<M> &&
+    requires(M method, const M constant, std::span<const Reading> readings, const Reading& reading, Vec2 position,
+             Executor& executor, std::span<const std::byte> bytes) {
+      typename M::Map;
+      { M::name } -> std::convertible_to<std::string_view>;
+      { constant.options() } -> std::same_as<const typename M::Options&>;
+      { method.insert(readings, executor) } -> std::same_as<void>;
+      { method.finish(executor) } -> std::same_as<void>;
+      { constant.map() } -> std::convertible_to<const typename M::Map&>;
+      { constant.export_map() } -> std::same_as<Result<MapExport>>;
+      { constant.counters() } -> std::same_as<const InsertCounters&>;
+      { constant.trace(reading) } -> std::same_as<Trace>;
+      { constant.supports(reading, position) } -> std::same_as<bool>;
+      { constant.save() } -> std::same_as<std::vector<std::byte>>;
+      { M::restore(bytes) } -> std::same_as<Result<M>>;
+    };
+
+}  // namespace echoarc

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "echoarc/core/reading.hpp"
+
+namespace echoarc {
+
+/// What made a map point.
+enum class PointLabel : std::uint8_t {
+  centerline,  ///< the middle of an arc: nothing but the reading is known
+  cell,        ///< the centre of an occupied grid cell
+};
+[[nodiscard]] constexpr std::string_view name(PointLabel label) {
+  constexpr std::string_view names[] = {"centerline", "cell"};
+  return names[static_cast<std::size_t>(label)];
+}
+
+struct MapPoint {
+  Vec2 position;  ///< world, metres
+  PointLabel label = PointLabel::centerline;
+  double bound_m = 0.0;  ///< upper bound on the distance from the true reflecting point, if the reading is no outlier
+  double time_s = 0.0;   ///< of the newest supporting ping; NaN for a cell
+  SensorId sensor = 0;   ///< receiver of that ping
+  PingId ping = 0;
+  std::uint32_t support_begin = 0;  ///< see `PointMap::support`
+  std::uint32_t support_count = 0;
+};
+
+/// Points with the pings that speak for them.
+class PointMap {
+ public:
+  void add(MapPoint point, std::span<const PingId> support = {}) {
+    point.support_begin = static_cast<std::uint32_t>(support_.size());
+    point.support_count = static_cast<std::uint32_t>(support.size());
+    support_.insert(support_.end(), support.begin(), support.end());
+    points_.push_back(point);
+  }
+  [[nodiscard]] std::span<const MapPoint> points() const { return points_; }
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  [[nodiscard]] bool empty() const { return points_.empty(); }
+  /// Ids of the pings behind a point of this map; empty for cells, whose support is found by replay.
+  [[nodiscard]] std::span<const PingId> support(const MapPoint& point) const {
+    return std::span<const PingId>(support_).subspan(point.support_begin, point.support_count);
+  }
+
+ private:
+  std::vector<MapPoint> points_;
+  std::vector<PingId> support_;
+};
+
+}  // namespace echoarc
