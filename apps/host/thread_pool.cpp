@@ -21,6 +21,7 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::run(std::size_t count, const std::function<void(std::size_t)>& task) {
+  if (count == 0) return;
   Batch batch{.task = task, .count = count, .error = nullptr};
   std::unique_lock lock(mutex_);
   open_.push_back(&batch);
