@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "echoarc/core/result.hpp"
+#include "echoarc/eval/point_set.hpp"
+#include "echoarc/maps/grid_geometry.hpp"
+
+namespace echoarc {
+
+/// Adjacent parallel lines along which a person, or a robot, asks "is something there?": directions of interest
+/// ([Barshan07] 3.3). Line k is the strip
+///
+///     k width <= (p - corner) . across < (k+1) width,   (p - corner) . along >= 0
+///
+///       along ^   |   |   |   |
+///             |   | 0 | 1 | 2 |
+///      corner *---+---+---+---+--> across
+struct LineFamily {
+  Vec2 corner;
+  Vec2 along{0.0, 1.0};   ///< unit vector, away from the robot
+  Vec2 across{1.0, 0.0};  ///< unit vector at right angles to `along`
+  double width_m = 0.01;
+  std::int32_t count = 0;
+};
+
+/// All directions in which a map is judged. Families may cross: a point counts on every line it lies on.
+struct DirectionSet {
+  /// Only points inside count, its upper edges left out: the border of the grid.
+  Box region{{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()},
+             {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
+  std::vector<LineFamily> families;
+
+  [[nodiscard]] std::int64_t line_count() const;
+};
+
+inline constexpr std::int64_t max_direction_lines = 10'000'000;
+/// Errors: vectors that are not finite, not of unit length or not at right angles, a width that is not positive, a
+/// negative count, more than `max_direction_lines` in all.
+[[nodiscard]] Result<void> validate(const DirectionSet& directions);
+
+/// One line per column of cells, looking along +y. Exactly the columns of the grid: no rounding at cell edges.
+[[nodiscard]] DirectionSet column_directions(const GridGeometry& geometry, const CellBox& cells);
+/// One line per row of cells, looking along +x.
+[[nodiscard]] DirectionSet row_directions(const GridGeometry& geometry, const CellBox& cells);
+/// Lines parallel to `along` that cover `region`; the middle of one of them passes through `origin`. Requires a finite
+/// region and width_m > 0.
+[[nodiscard]] DirectionSet axis_directions(const Box& region, Vec2 origin, Angle along, double width_m);
+
+/// The side of a wall that a robot has in front of it, walls of a room going counter-clockwise: the inside is on the
+/// left of begin -> end. A doorway is part of the span; its lines ought to be empty.
+struct WallSpan {
+  Vec2 begin;
+  Vec2 end;
+  double depth_m =
+      0.0;  ///< distance from the wall to the interior reference line (the robot's path), where lines start
+};
+
+/// Lines of `width_m` at right angles to each wall span, from the interior reference line outward to the border of
+/// `region`; a span shorter than half a line gives none.
+[[nodiscard]] DirectionSet wall_directions(std::span<const WallSpan> walls, const Box& region, double width_m = 0.01);
+
+}  // namespace echoarc
