@@ -31,9 +31,9 @@ struct Mount {
   double x_m = 0.0;
   double y_m = 0.0;
   double z_m = 0.0;
-  Angle roll;
-  Angle pitch;
-  Angle yaw;
+  Angle roll{};
+  Angle pitch{};
+  Angle yaw{};
 
   /// The mount seen from above: what the planar methods use.
   [[nodiscard]] Pose2 T_robot_sensor() const { return {{x_m, y_m}, yaw}; }
