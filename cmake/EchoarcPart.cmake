@@ -8,7 +8,8 @@ target_compile_options(echoarc_build_flags INTERFACE
   # A fused multiply-add rounds once where the written expression rounds twice. Whether the compiler fuses depends on flags
   # and surrounding code; forbidding it keeps results equal between builds, dispatch paths and thread counts.
   -ffp-contract=off
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+  # -Wno-missing-field-initializers: a designated initialiser that leaves a member at its default is how we write options.
+  -Wall -Wextra -Wpedantic -Wno-missing-field-initializers -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
   $<$<BOOL:${ECHOARC_WERROR}>:-Werror>)
 if(ECHOARC_SANITIZE)
   target_compile_options(echoarc_build_flags INTERFACE -fsanitize=${ECHOARC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -171,7 +171,9 @@ void TiledGrid<T>::save(ByteWriter& out) const {
 
 template <class T>
 bool TiledGrid<T>::restore(ByteReader& in) {
-  TiledGrid grid(in.get<GridGeometry>(), in.get<std::uint64_t>());
+  const auto geometry = in.get<GridGeometry>();
+  const auto memory_limit_bytes = in.get<std::uint64_t>();
+  TiledGrid grid(geometry, memory_limit_bytes);
   const auto count = in.get<std::uint64_t>();
   for (std::uint64_t k = 0; k < count && in.ok(); ++k) {
     const auto t = in.get<TileIndex>();
