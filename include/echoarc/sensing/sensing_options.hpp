@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+
+#include "echoarc/core/options.hpp"
+
+namespace echoarc {
+
+/// What an echo nearer than the sensor's minimum range means.
+enum class BelowMinimum : std::uint8_t {
+  reject,     ///< ring-down of the sensor's own pulse or a wrapped count: says nothing
+  too_close,  ///< something stands within the minimum range
+};
+constexpr std::array<Choice<BelowMinimum>, 2> choices(BelowMinimum) {
+  return {{{BelowMinimum::reject, "reject"}, {BelowMinimum::too_close, "too_close"}}};
+}
+
+/// How raw records become readings.
+struct SensingOptions {
+  double max_pose_gap_s = 1.0;
+  double max_wait_s = 10.0;
+  double max_time_jump_s = 3600.0;
+  BelowMinimum below_minimum = BelowMinimum::reject;
+  double air_temperature_k = 0.0;
+  double trusted_range_m = 0.0;
+
+  static constexpr auto fields() {
+    using S = SensingOptions;
+    return std::tuple{
+        field("max_pose_gap_s", &S::max_pose_gap_s,
+              {.unit = "s",
+               .min = 0.0,
+               .max = 86400.0,
+               .doc = "a pose is interpolated between odometry records at most this far apart"}),
+        field("max_wait_s", &S::max_wait_s,
+              {.unit = "s",
+               .min = 0.0,
+               .max = 86400.0,
+               .doc = "live only: a ping stamped this far ahead of the newest odometry waits no longer"}),
+        field("max_time_jump_s", &S::max_time_jump_s,
+              {.unit = "s",
+               .min = 0.0,
+               .max = 1e9,
+               .doc = "odometry that jumps ahead by more is refused as a bad time stamp"}),
+        field("below_minimum", &S::below_minimum,
+              {.doc = "an echo nearer than the minimum range is rejected, or read as something too close",
+               .source = "[Silver04], [Choset03]: their arrays ignore such readings"}),
+        field("air_temperature_k", &S::air_temperature_k,
+              {.unit = "K",
+               .min = 0.0,
+               .max = 350.0,
+               .doc = "what the air had; ranges are corrected from the temperature the log was recorded for; 0: as "
+                      "recorded",
+               .source = "[Barshan07] 2, footnote 1"}),
+        field("trusted_range_m", &S::trusted_range_m,
+              {.unit = "m",
+               .min = 0.0,
+               .max = 1000.0,
+               .doc = "to this range silence counts as free space, for all sensors; 0: each sensor's own"})};
+  }
+};
+
+}  // namespace echoarc
