@@ -45,10 +45,11 @@ inline constexpr std::int64_t max_direction_lines = 10'000'000;
 /// negative count, more than `max_direction_lines` in all.
 [[nodiscard]] Result<void> validate(const DirectionSet& directions);
 
-/// One line per column of cells, looking along +y. Exactly the columns of the grid: no rounding at cell edges.
-[[nodiscard]] DirectionSet column_directions(const GridGeometry& geometry, const CellBox& cells);
-/// One line per row of cells, looking along +x.
-[[nodiscard]] DirectionSet row_directions(const GridGeometry& geometry, const CellBox& cells);
+/// One line per column of the cells (0, 0) to (columns - 1, rows - 1), looking along +y. Points fall on the lines
+/// exactly as they fall into cells.
+[[nodiscard]] DirectionSet column_directions(const GridGeometry& geometry, std::int32_t columns, std::int32_t rows);
+/// One line per row of the same cells, looking along +x.
+[[nodiscard]] DirectionSet row_directions(const GridGeometry& geometry, std::int32_t columns, std::int32_t rows);
 /// Lines parallel to `along` that cover `region`; the middle of one of them passes through `origin`. Requires a finite
 /// region and width_m > 0.
 [[nodiscard]] DirectionSet axis_directions(const Box& region, Vec2 origin, Angle along, double width_m);

@@ -38,13 +38,13 @@ class PointSet {
   /// Side of the cells whose centres these are; 0 for exact points.
   [[nodiscard]] double cell_m() const { return cell_m_; }
 
+  /// The first point, in the order of the set, of every cell floor(p / cell_m). Where a method marks one wall a hundred
+  /// times, the dense cluster no longer outvotes the rest of the map. Requires cell_m > 0.
+  [[nodiscard]] PointSet one_per_cell(double cell_m) const;
+
  private:
   std::vector<Vec2> points_;
   double cell_m_ = 0.0;
 };
-
-/// The first point, in the order of the set, of every cell floor(p / cell_m). Where a method marks one wall a hundred
-/// times, the dense cluster no longer outvotes the rest of the map. Requires cell_m > 0.
-[[nodiscard]] PointSet one_per_cell(const PointSet& set, double cell_m);
 
 }  // namespace echoarc

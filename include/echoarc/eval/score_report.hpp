@@ -17,10 +17,8 @@ namespace echoarc {
 /// All scores of one map against one reference.
 struct ScoreReport {
   std::string reference;  ///< provenance
-  std::uint64_t map_points = 0;
   std::uint64_t reference_points = 0;
-  double mean_absolute_error_m = 0.0;
-  TwoWayWallDistance wall_distance;
+  TwoWayWallDistance wall_distance;                   ///< `all.mean_m` is the mean absolute error
   std::optional<CorrectDetection> correct_detection;  ///< none without directions of interest
   std::optional<double> detection_tolerance_m;
   std::optional<TimingSummary> timing;  ///< none unless the host measured it

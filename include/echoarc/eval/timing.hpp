@@ -19,15 +19,16 @@ struct Timing {
   [[nodiscard]] double per_reading_s() const;
 };
 
-/// The middle value; the mean of the two middle ones for an even number; NaN for none, or if one is NaN.
-[[nodiscard]] double median(std::span<const double> values);
-
-/// Each figure is the median over the runs on its own. Twenty runs or more make it steady.
+/// The medians of several runs, each taken on its own; twenty runs or more make them steady. NaN without runs.
 struct TimingSummary {
   std::uint64_t runs = 0;
-  Timing median;
+  std::uint64_t readings = 0;  ///< of each run
+  double insert_cpu_s = 0.0;
+  double finish_cpu_s = 0.0;
+  double total_cpu_s = 0.0;
+  double per_reading_s = 0.0;
 };
-/// The runs must have the same number of readings. Without runs every time is NaN.
+/// The runs must have the same number of readings.
 [[nodiscard]] TimingSummary summarise(std::span<const Timing> runs);
 
 }  // namespace echoarc

@@ -34,13 +34,14 @@ struct WallDistanceOptions {
 };
 
 /// Two-way distance of map and reference. Shares are in 0..1 and NaN where there is nothing to divide by, as are the
-/// distances of an empty map.
+/// distances of an empty map. A distance that exceeds a limit by rounding alone (`eps_length_m`) does not exceed it:
+/// the centres of aligned cells are whole cells apart.
 struct WallDistance {
   std::uint64_t points = 0;            ///< of the map
   std::array<double, 3> accuracy{};    ///< share of them within `accuracy_distances_m` of the reference
   double mean_m = 0.0;                 ///< of their distances to the reference
-  double median_m = 0.0;               ///< lower middle for an even number
-  double p95_m = 0.0;                  ///< smallest distance that at least 95 % do not exceed
+  double median_m = 0.0;               ///< see `median`
+  double p95_m = 0.0;                  ///< see `percentile`
   std::uint64_t reference_points = 0;  ///< near the path
   std::uint64_t covered_points = 0;    ///< of those, with a map point near
   double coverage = 0.0;               ///< covered_points / reference_points
