@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: 2026 The echoarc authors
+# SPDX-License-Identifier: Apache-2.0
+"""Keeps the option tables of the docs equal to the option fields in the code.
+
+`fill_option_tables.py COMMAND [--check]` asks the built command (`COMMAND methods NAME --json`) for the options of every
+name between `<!-- options:NAME -->` and `<!-- /options -->` in docs/, and writes the table in between. With --check it
+writes nothing and fails where a table is stale.
+"""
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+DOCS = Path(__file__).resolve().parent.parent / "docs"
+BLOCK = re.compile(r"(<!-- options:([a-z_]+) -->\n).*?(<!-- /options -->)", re.S)
+
+
+def options_of(command: str, name: str) -> list[dict]:
+    answer = subprocess.run([command, "methods", name, "--json"], capture_output=True, text=True, check=False)
+    if answer.returncode != 0:
+        sys.exit(f"{command} methods {name} --json: {answer.stderr.strip()}")
+    return json.loads(answer.stdout)["options"]
+
+
+def spell(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else f"{value:.15g}" if isinstance(value, float) else str(value)
+
+
+def legal_values(option: dict) -> str:
+    if "enum" in option:
+        return ", ".join(f"`{choice}`" for choice in option["enum"])
+    if option["type"] == "boolean":
+        return "true, false"
+    low, high = option.get("minimum"), option.get("maximum")
+    if low is None and high is None:
+        return "any"
+    if low is None or high is None:
+        return f"≥ {spell(low)}" if high is None else f"≤ {spell(high)}"
+    return f"{spell(low)} … {spell(high)}"
+
+
+def table(options: list[dict]) -> str:
+    """The Markdown table of one method; a bar inside a text would end its cell."""
+    rows = [["option", "default", "unit", "legal", "meaning", "source"]]
+    rows += [[f"`{option['name']}`", spell(option["default"]), option["unit"], legal_values(option), option["doc"],
+              option["source"]] for option in options]
+    lines = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
+    return "\n".join([lines[0], "| --- | --- | --- | --- | --- | --- |", *lines[1:]]) + "\n"
+
+
+def filled(text: str, options_by_name) -> str:
+    return BLOCK.sub(lambda match: match[1] + table(options_by_name(match[2])) + match[3], text)
+
+
+def main() -> int:
+    command, check = sys.argv[1], "--check" in sys.argv[2:]
+    stale = []
+    for page in sorted(DOCS.rglob("*.md")):
+        text = page.read_text()
+        new = filled(text, lambda name: options_of(command, name))
+        if new != text:
+            stale.append(page)
+            if not check:
+                page.write_text(new)
+                print(f"filled {page.relative_to(DOCS.parent)}")
+    if check and stale:
+        print("\n".join(f"{page.relative_to(DOCS.parent)}: option table is stale; run ./dev docs" for page in stale))
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
