@@ -6,103 +6,134 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+
+#include "maps/sector_rows.hpp"
 
 namespace echoarc {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+/// The ellipse of constant half path about the centre: a x^2 + 2 b x y + c y^2 = 1, lengths in cells.
+struct Rim {
+  double a;
+  double b;
+  double c;
 
-/// dx of a row between two numbers; empty when low > high.
-struct RowInterval {
-  double low = -infinity;
-  double high = infinity;
-};
-
-/// One edge of the wedge as a bound on dx in the row at height dy above the apex.
-///
-/// Inside the edge means side * cross(u, d) = side * (u.x dy - u.y dx) >= 0, so dx is bounded by dy u.x / u.y, from
-/// above where side * u.y > 0 and from below where it is < 0; a level edge admits or refuses whole rows.
-class WedgeEdge {
- public:
-  WedgeEdge(Vec2 u, double side) : slope_(u.y != 0.0 ? u.x / u.y : 0.0), above_(side * u.y), level_(side * u.x) {}
-
-  void clip(double dy, RowInterval& row) const {
-    if (above_ > 0.0)
-      row.high = std::min(row.high, dy * slope_);
-    else if (above_ < 0.0)
-      row.low = std::max(row.low, dy * slope_);
-    else if (level_ * dy < 0.0)
-      row.high = -infinity;
-  }
-
- private:
-  double slope_;
-  double above_;
-  double level_;
-};
-
-/// The ellipse of constant half path as a bound on dx: a dx^2 + 2 b dx dy + c dy^2 <= 1.
-class Rim {
- public:
-  explicit Rim(const Arc& arc) {
+  Rim(const Arc& arc, double per_cell) {
     const Vec2 f = arc.focal_axis();
-    const double long_axis = 1.0 / (arc.range_m() * arc.range_m());
-    const double short_axis = 1.0 / (arc.semi_minor_m() * arc.semi_minor_m());
-    const double a = f.x * f.x * long_axis + f.y * f.y * short_axis;
-    const double b = f.x * f.y * (long_axis - short_axis);
-    width_squared_ = 1.0 / a;
-    narrowing_ = long_axis * short_axis / (a * a);  // (a c - b^2) / a^2; the determinant is that of the axes
-    shear_ = -b / a;
+    const double longer = arc.range_m() * per_cell;
+    const double shorter = arc.semi_minor_m() * per_cell;
+    const double along = 1.0 / (longer * longer);
+    const double across = 1.0 / (shorter * shorter);
+    a = f.x * f.x * along + f.y * f.y * across;
+    b = f.x * f.y * (along - across);
+    c = f.y * f.y * along + f.x * f.x * across;
   }
-  void clip(double dy, RowInterval& row) const {
-    const double half_squared = width_squared_ - dy * dy * narrowing_;
-    if (half_squared < 0.0) {
-      row.high = -infinity;
-      return;
-    }
-    const double half = std::sqrt(half_squared);
-    row.low = std::max(row.low, shear_ * dy - half);
-    row.high = std::min(row.high, shear_ * dy + half);
+  [[nodiscard]] Vec2 point_along(Vec2 u) const {
+    return u / std::sqrt(a * u.x * u.x + 2.0 * b * u.x * u.y + c * u.y * u.y);
   }
-
- private:
-  double width_squared_;
-  double narrowing_;
-  double shear_;
+  [[nodiscard]] Vec2 top() const {
+    const double y = std::sqrt(a / (a * c - b * b));
+    return {-b / a * y, y};
+  }
 };
+
+/// dy of the lowest and highest row a sector may meet.
+struct RowRange {
+  double low = 0.0;
+  double high = 0.0;
+
+  void add(double dy) {
+    low = std::min(low, dy);
+    high = std::max(high, dy);
+  }
+};
+
+/// One edge of the wedge as a bound on dx: side cross(u, d) = side (u.x dy - u.y dx) >= 0 bounds it by dy u.x / u.y,
+/// from above where side u.y > 0 and from below where it is < 0; a level edge admits or refuses whole rows.
+void add_edge(kernels::SectorShape& shape, RowRange& rows, int k, Vec2 u, double side) {
+  shape.low_slope[k] = shape.high_slope[k] = 0.0;
+  shape.low_offset[k] = -shape.outside;
+  shape.high_offset[k] = shape.outside;
+  if (u.y == 0.0) {
+    (side * u.x > 0.0 ? rows.low : rows.high) = 0.0;
+  } else if (side * u.y > 0.0) {
+    shape.high_slope[k] = u.x / u.y;
+    shape.high_offset[k] = 0.0;
+  } else {
+    shape.low_slope[k] = u.x / u.y;
+    shape.low_offset[k] = 0.0;
+  }
+}
+
+/// A sector as the kernels take it, and the rows it may meet.
+struct Sector {
+  kernels::SectorShape shape{};
+  double apex_i;
+  std::int32_t j_first;
+  std::int32_t j_end;
+
+  Sector(const GridGeometry& grid, const Arc& rim);
+};
+
+Sector::Sector(const GridGeometry& grid, const Arc& rim) {
+  const double per_cell = 1.0 / grid.cell_m;
+  const double reach = std::ceil(rim.range_m() * per_cell);
+  apex_i = (rim.centre().x - grid.origin.x) * per_cell - 0.5;
+  shape.apex_j = (rim.centre().y - grid.origin.y) * per_cell - 0.5;
+  shape.outside = reach + 1.0;
+  shape.i_below = std::int32_t(std::floor(apex_i) - reach) - 3;
+  shape.i_above = std::int32_t(std::ceil(apex_i) + reach) + 3;
+  shape.apex_from_below = apex_i - shape.i_below;
+  shape.apex_from_above = shape.i_above - apex_i;
+
+  const Rim ellipse(rim, per_cell);
+  shape.half_squared = 1.0 / ellipse.a;
+  shape.narrowing = (ellipse.a * ellipse.c - ellipse.b * ellipse.b) / (ellipse.a * ellipse.a);
+  shape.shear = -ellipse.b / ellipse.a;
+
+  // The sector is highest and lowest in its apex, in an end of its rim, or in the rim's own extreme points.
+  const Vec2 lower = unit(rim.axis() - rim.half_width());
+  const Vec2 upper = unit(rim.axis() + rim.half_width());
+  RowRange rows;
+  rows.add(ellipse.point_along(lower).y);
+  rows.add(ellipse.point_along(upper).y);
+  const Vec2 top = ellipse.top();
+  for (const Vec2 extreme : {top, -top})
+    if (cross(lower, extreme) >= 0.0 && cross(upper, extreme) <= 0.0) rows.add(extreme.y);
+  add_edge(shape, rows, 0, lower, 1.0);
+  add_edge(shape, rows, 1, upper, -1.0);
+  j_first = std::int32_t(std::ceil(shape.apex_j + rows.low));
+  j_end = std::max(j_first, std::int32_t(std::floor(shape.apex_j + rows.high)) + 1);
+}
 
 }  // namespace
 
 std::span<const RowSpan> SectorRaster::spans(const Arc& rim) {
   assert(rim.half_width() < degrees(90.0));
-  spans_.clear();
-  const WedgeEdge lower(unit(rim.axis() - rim.half_width()), 1.0);
-  const WedgeEdge upper(unit(rim.axis() + rim.half_width()), -1.0);
-  const Rim ellipse(rim);
-  // In cell units with cell centres at whole numbers.
-  const double per_cell = 1.0 / geometry_.cell_m;
-  const double apex_i = (rim.centre().x - geometry_.origin.x) * per_cell - 0.5;
-  const double apex_j = (rim.centre().y - geometry_.origin.y) * per_cell - 0.5;
-  const Box box = rim.bounds();
-  const auto row_of = [&](double y) { return (y - geometry_.origin.y) * per_cell - 0.5; };
-  const auto j_first = std::int32_t(std::ceil(std::min(row_of(box.low.y), apex_j)));
-  const auto j_last = std::int32_t(std::floor(std::max(row_of(box.high.y), apex_j)));
-  for (std::int32_t j = j_first; j <= j_last; ++j) {
-    const double dy = (j - apex_j) * geometry_.cell_m;
-    RowInterval row;
-    ellipse.clip(dy, row);
-    lower.clip(dy, row);
-    upper.clip(dy, row);
-    if (!(row.low <= row.high)) continue;
-    auto i_begin = std::int32_t(std::ceil(apex_i + row.low * per_cell));
-    auto i_end = std::int32_t(std::floor(apex_i + row.high * per_cell)) + 1;
-    // The closed wedge begins in the apex; a cell centred there has no bearing and is no cell of the sector.
-    if (dy == 0.0 && i_begin < i_end && double(i_begin) == apex_i) ++i_begin;
-    if (dy == 0.0 && i_begin < i_end && double(i_end - 1) == apex_i) --i_end;
-    if (i_begin < i_end) spans_.push_back({j, i_begin, i_end});
+  const Sector sector(geometry_, rim);
+  const auto rows = std::size_t(sector.j_end - sector.j_first);
+  if (spans_.size() < rows) {
+    spans_.resize(rows);
+    columns_.resize(2 * rows);
   }
-  return spans_;
+  std::int32_t* const i_begin = columns_.data();
+  std::int32_t* const i_end = i_begin + rows;
+  kernels::sector_row_kernels().columns(sector.shape, sector.j_first, rows, i_begin, i_end);
+
+  // The closed wedge begins in the apex; a cell centred there has no bearing and is no cell of the sector.
+  const double apex_row = sector.shape.apex_j - sector.j_first;
+  if (apex_row >= 0.0 && apex_row < double(rows) && apex_row == std::floor(apex_row)) {
+    const auto k = std::size_t(apex_row);
+    if (i_begin[k] == sector.apex_i) ++i_begin[k];
+    if (i_end[k] - 1 == sector.apex_i) --i_end[k];
+  }
+
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < rows; ++k) {
+    spans_[count] = {sector.j_first + std::int32_t(k), i_begin[k], i_end[k]};
+    count += i_begin[k] < i_end[k] ? 1 : 0;
+  }
+  return std::span<const RowSpan>(spans_).first(count);
 }
 
 }  // namespace echoarc

@@ -35,6 +35,7 @@ class SectorRaster {
  private:
   GridGeometry geometry_;
   std::vector<RowSpan> spans_;
+  std::vector<std::int32_t> columns_;  // scratch
 };
 
 }  // namespace echoarc

@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: 2026 The echoarc authors
+# SPDX-License-Identifier: Apache-2.0
+
+# echoarc_kernels(TARGET SOURCE)
+# Compiles SOURCE into TARGET once per instruction set, with ECHOARC_ISA set to its name; the program picks one at run time.
+# What is shipped stays runnable on any machine of its architecture: nothing is built with -march=native.
+function(echoarc_kernels target source)
+  set(sets plain)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND sets avx2)
+    target_compile_definitions(${target} PRIVATE ECHOARC_HAVE_AVX2)
+  endif()
+  foreach(isa IN LISTS sets)
+    set(kernels ${target}_kernels_${isa})
+    add_library(${kernels} OBJECT ${source})
+    set_target_properties(${kernels} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_include_directories(${kernels} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(${kernels} PRIVATE echoarc_build_flags)
+    # -O3 in every build type: these loops are written for the vectoriser.
+    target_compile_options(${kernels} PRIVATE -O3 -fno-math-errno $<$<STREQUAL:${isa},avx2>:-mavx2>)
+    target_compile_definitions(${kernels} PRIVATE ECHOARC_ISA=${isa})
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)
+  endforeach()
+endfunction()

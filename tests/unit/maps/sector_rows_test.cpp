@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "maps/sector_rows.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "echoarc/core/rng.hpp"
+
+namespace echoarc::kernels {
+namespace {
+
+std::vector<const SectorRowKernels*> all_kernels() {
+  std::vector<const SectorRowKernels*> list(8);
+  list.resize(available_sector_row_kernels(list.data(), list.size()));
+  return list;
+}
+
+struct Columns {
+  std::vector<std::int32_t> begin;
+  std::vector<std::int32_t> end;
+  friend bool operator==(const Columns&, const Columns&) = default;
+};
+
+Columns columns(const SectorRowKernels& kernels, const SectorShape& shape, std::int32_t j_first, std::size_t count) {
+  Columns c{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
+  kernels.columns(shape, j_first, count, c.begin.data(), c.end.data());
+  return c;
+}
+
+/// A circle of `radius` cells about (apex_i, apex_j) between two edges dx >= low_slope dy and dx <= high_slope dy.
+SectorShape circle(double apex_i, double apex_j, double radius, double low_slope, double high_slope) {
+  SectorShape s{};
+  s.apex_j = apex_j;
+  s.half_squared = radius * radius;
+  s.narrowing = 1.0;
+  s.outside = std::ceil(radius) + 1.0;
+  s.low_slope[0] = low_slope;
+  s.low_offset[1] = -s.outside;
+  s.high_slope[1] = high_slope;
+  s.high_offset[0] = s.outside;
+  s.i_below = std::int32_t(std::floor(apex_i) - s.outside) - 2;
+  s.i_above = std::int32_t(std::ceil(apex_i) + s.outside) + 2;
+  s.apex_from_below = apex_i - s.i_below;
+  s.apex_from_above = s.i_above - apex_i;
+  return s;
+}
+
+TEST(SectorRows, DrawnSector) {
+  //          i = -1 . . . 3
+  //  j=3      . x x x .       radius 3.2 about (1, 0), opening upwards between dx >= -dy and dx <= dy
+  //  j=2      x x x x x
+  //  j=1      . x x x .
+  //  j=0      . . x . .
+  const SectorShape shape = circle(1.0, 0.0, 3.2, -1.0, 1.0);
+  const Columns expected{{1, 0, -1, 0}, {2, 3, 4, 3}};
+  for (const auto* kernels : all_kernels()) {
+    EXPECT_EQ(columns(*kernels, shape, 0, 4), expected) << kernels->instruction_set;
+    const Columns around = columns(*kernels, shape, -1, 6);
+    EXPECT_GE(around.begin.front(), around.end.front()) << kernels->instruction_set;
+    EXPECT_GE(around.begin.back(), around.end.back()) << kernels->instruction_set;
+  }
+}
+
+TEST(SectorRows, AlmostLevelEdgeStaysInRange) {
+  const SectorShape shape = circle(0.5, 0.25, 100.0, -1e300, 1e300);
+  for (const auto* kernels : all_kernels())
+    for (const std::int32_t i : columns(*kernels, shape, -100, 201).begin) EXPECT_LE(std::abs(i), 110);
+}
+
+TEST(SectorRows, SameColumnsFromEveryInstructionSet) {
+  const auto list = all_kernels();
+  ASSERT_GE(list.size(), 1U);
+  Rng rng(5);
+  for (int k = 0; k < 2000; ++k) {
+    const double radius = rng.uniform(1.0, 600.0);
+    const double slope = rng.normal(0.0, 3.0);
+    SectorShape shape = circle(rng.uniform(-1e6, 1e6), rng.uniform(-1e3, 1e3), radius, slope, slope + rng.uniform());
+    shape.shear = rng.uniform(-0.2, 0.2);
+    shape.narrowing = rng.uniform(0.5, 1.5);
+    const auto j_first = std::int32_t(shape.apex_j - radius);
+    const Columns first = columns(*list.front(), shape, j_first, std::size_t(2 * radius));
+    for (const auto* kernels : list)
+      ASSERT_EQ(columns(*kernels, shape, j_first, std::size_t(2 * radius)), first) << kernels->instruction_set;
+  }
+}
+
+}  // namespace
+}  // namespace echoarc::kernels
