@@ -29,7 +29,8 @@ template <class T>
 class TiledGrid {
  public:
   static constexpr std::size_t tile_cells = std::size_t{tile_size} * tile_size;
-  using Tile = std::array<T, tile_cells>;
+  /// Row-major; aligned so that a row starts a cache line.
+  struct alignas(64) Tile : std::array<T, tile_cells> {};
   /// Column and row of a tile: cell index >> tile_shift.
   using TileIndex = Cell;
 

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+// The inner loops of the evidence grid, compiled once per instruction set (cmake/EchoarcKernels.cmake). This header and
+// the kernel source include nothing that holds inline functions: two copies of one, compiled with different flags, must
+// never meet in the linker.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace echoarc::kernels {
+
+/// Cells i_begin <= i < i_end of row j; all runs of one call lie in one row of tiles.
+struct Run {
+  std::int32_t j;
+  std::int32_t i_begin;
+  std::int32_t i_end;
+};
+
+/// The tiles of one row of tiles: `tiles[k]` holds the columns from (first_column + k) * 64 on. Tiles no run meets may
+/// be null.
+struct TileRow {
+  std::int16_t* const* tiles;
+  std::int32_t first_column;
+};
+
+/// Where a beam stands in the grid. Cell (i, j) has its centre at offset_m + (i - apex_i, j - apex_j) * cell_m from the
+/// apex; counting from the apex keeps single precision exact enough wherever in the world the robot is.
+struct BeamFrame {
+  std::int32_t apex_i;
+  std::int32_t apex_j;
+  float offset_x_m;
+  float offset_y_m;
+  float cell_m;
+  float axis_x;  ///< unit vector of the acoustic axis
+  float axis_y;
+};
+
+inline constexpr int max_terms = 12;
+
+/// c[0] + c[1] x + ... + c[terms - 1] x^(terms - 1); coefficients above are 0.
+struct Polynomial {
+  float c[max_terms];
+  int terms;
+};
+
+/// The occupied band as a chain of polynomials: increment = logit(angular(sin^2 theta) * radial(error^2)).
+struct BandModel {
+  Polynomial angular;
+  Polynomial radial;
+  Polynomial logit;
+  float range_m;
+};
+
+/// All log-odds are in units of the grid (see log_odds_per_unit) and saturate at +-32767.
+struct EvidenceKernels {
+  const char* instruction_set;
+  void (*add_constant)(const TileRow& row, const Run* runs, std::size_t count, std::int16_t increment);
+  void (*add_angular)(const TileRow& row, const Run* runs, std::size_t count, const BeamFrame& beam,
+                      const Polynomial& increment);
+  void (*add_band)(const TileRow& row, const Run* runs, std::size_t count, const BeamFrame& beam,
+                   const BandModel& band);
+};
+
+/// The kernels for this processor, chosen once. All of them give the same bytes.
+const EvidenceKernels& evidence_kernels();
+/// Every set of kernels this processor can run; the first is the plain one.
+std::size_t available_evidence_kernels(const EvidenceKernels** list, std::size_t room);
+
+}  // namespace echoarc::kernels

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "echoarc/mapping/evidence_grid.hpp"
+#include "echoarc/maps/sector_raster.hpp"
+#include "mapping/evidence_kernels.hpp"
+#include "mapping/fitted_beam.hpp"
+
+namespace echoarc {
+
+/// A single cell and its change, for cells that the kernels do not cover.
+struct SpotUpdate {
+  Cell cell;
+  std::int16_t increment = 0;
+};
+
+/// Columns begin <= i < end, of cells or of tiles.
+struct Columns {
+  std::int32_t begin = 0;
+  std::int32_t end = 0;
+};
+
+/// What one reading does to one row of tiles: ranges into the plan's lists.
+struct UpdateGroup {
+  struct Range {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+  };
+  std::uint32_t beam = 0;
+  std::int32_t tile_j = 0;
+  Columns tiles;
+  Range free;
+  Range band;
+  Range spots;
+};
+
+/// Beam of a planned reading: where it stands and what it adds.
+struct PlannedBeam {
+  kernels::BeamFrame frame;
+  const FittedBeam* fitted = nullptr;
+  float range_m = 0.0F;
+};
+
+/// Changes of some readings, in order, worked out but not yet made. Rows of tiles are independent of each other, so
+/// that threads can share a plan by rows and every cell still sees its changes in the order of the readings.
+struct UpdatePlan {
+  std::vector<PlannedBeam> beams;
+  std::vector<UpdateGroup> groups;
+  std::vector<kernels::Run> free;
+  std::vector<kernels::Run> band;
+  std::vector<SpotUpdate> spots;
+
+  void clear();
+  [[nodiscard]] std::size_t size() const { return free.size() + band.size() + spots.size(); }
+};
+
+/// Where a reading says something: out to `outer_m`, free to `free_to_m`, a band beyond it if there was an echo.
+struct BeamReach {
+  Arc rim;  ///< the reading's arc at `outer_m`
+  double near_m = 0.0;
+  double free_to_m = 0.0;
+  std::optional<double> echo_m;
+  double outer_m = 0.0;
+};
+
+/// Works out which runs of cells a reading changes and makes room for them in the grid.
+class EvidenceGrid::Planner {
+ public:
+  explicit Planner(const EvidenceGridOptions& options);
+
+  /// The reading's geometry; none when it says nothing to the grid (`no_information`) or has no arc.
+  [[nodiscard]] std::optional<BeamReach> reach_of(const Reading& reading) const;
+  /// Adds the reading to the plan. False when the grid cannot hold its cells; the plan is then unchanged.
+  [[nodiscard]] bool add(const Reading& reading, const BeamReach& reach, Map& grid);
+  [[nodiscard]] UpdatePlan& plan() { return plan_; }
+  /// The model of a reading with its weight for free cells.
+  [[nodiscard]] const FittedBeam& beam_of(const Reading& reading);
+
+ private:
+  struct CachedBeam {
+    Angle half_width;
+    double amplitude = 1.0;
+    double free_weight = 1.0;
+    FittedBeam fitted;
+  };
+
+  void split_row(const RowSpan& span, const BeamReach& reach, const FittedBeam& fitted);
+  void add_runs(std::int32_t j, std::int32_t begin, std::int32_t end, bool band, const BeamReach& reach,
+                const FittedBeam& fitted);
+
+  EvidenceGridOptions options_;
+  SectorRaster raster_;
+  std::deque<CachedBeam> beams_;  // references stay valid while it grows
+  UpdatePlan plan_;
+};
+
+/// The change of one cell as the model has it, in units; 0 where the reading says nothing.
+[[nodiscard]] int exact_increment(const FittedBeam& beam, const BeamReach& reach, Vec2 cell_centre);
+
+/// Makes the changes of the plan in every row of tiles with `tile_j mod stripes == stripe`.
+void apply_stripe(const UpdatePlan& plan, EvidenceGrid::Map& grid, std::size_t stripe, std::size_t stripes);
+
+}  // namespace echoarc
