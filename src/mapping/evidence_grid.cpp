@@ -90,7 +90,7 @@ Trace EvidenceGrid::trace(const Reading& reading) const {
     for (const kernels::Run& run : *runs)
       for (std::int32_t i = run.i_begin; i < run.i_end; ++i) describe({i, run.j});
   for (const SpotUpdate& spot : planner.plan().spots) describe(spot.cell);
-  std::ranges::sort(trace.cells, {}, &CellChange::cell);
+  std::ranges::sort(trace.cells, [](const CellChange& a, const CellChange& b) { return a.cell < b.cell; });
   return trace;
 }
 
