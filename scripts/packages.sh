@@ -6,13 +6,12 @@
 
 packages_for() {
   local build=(g++ cmake ninja-build pkg-config python3
-    libcli11-dev libfmt-dev libpng-dev libsimdjson-dev libtomlplusplus-dev nlohmann-json3-dev)
+    libcli11-dev libfmt-dev libnanoflann-dev libpng-dev libsimdjson-dev libtomlplusplus-dev nlohmann-json3-dev)
   local test=(libgtest-dev librapidcheck-dev)
-  local nearest=(libnanoflann-dev)  # an independent oracle for the scores' nearest-neighbour search
   case "$1" in
     build) echo "${build[@]}" ;;
-    test) echo "${build[@]}" "${test[@]}" "${nearest[@]}" ;;
-    lint) echo "${build[@]}" "${test[@]}" "${nearest[@]}" clang-format-19 clang-tidy-19 shellcheck universal-ctags ;;
+    test) echo "${build[@]}" "${test[@]}" ;;
+    lint) echo "${build[@]}" "${test[@]}" clang-format-19 clang-tidy-19 shellcheck universal-ctags ;;
     fmt) echo clang-format-19 ;;
     bench) echo "${build[@]}" libbenchmark-dev "$(optional libmrpt-maps-dev libmrpt-obs-dev)" ;;
     fuzz) echo "${build[@]}" clang-19 libclang-rt-19-dev ;;
