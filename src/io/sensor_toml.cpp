@@ -101,8 +101,8 @@ class SensorCollector {
       sensor.id = static_cast<SensorId>(fields.integer("id", 0, max_sensor_id).value_or(next_id()));
       sensor.mount = read_mount(fields);
       sensor.model = read_sensor_model(fields, defaults_);
+      add_sensor(fields, std::move(sensor));
       keep_error(fields);
-      sensors_.push_back(std::move(sensor));
     }
   }
 
@@ -145,8 +145,18 @@ class SensorCollector {
     if (!keep_error(fields) || sensors_.size() > SensorArray::max_sensors) return;
     for (Sensor& sensor : place(model)) {
       sensor.id += static_cast<SensorId>(first_id);
-      sensors_.push_back(std::move(sensor));
+      add_sensor(fields, std::move(sensor));
     }
+    keep_error(fields);
+  }
+
+  /// Checks the sensor by itself and its id against the others, so that an error names the line of its table.
+  void add_sensor(TomlFields& fields, Sensor sensor) {
+    if (const Result<SensorArray> alone = SensorArray::make({sensor}); !alone)
+      fields.fail(nullptr, alone.error().message, alone.error().remedy);
+    if (std::ranges::find(sensors_, sensor.id, &Sensor::id) != sensors_.end())
+      fields.fail(nullptr, fmt::format("two sensors have the id {}", sensor.id), "give every sensor an id of its own");
+    sensors_.push_back(std::move(sensor));
   }
 
   bool keep_error(TomlFields& fields) {

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "echoarc/io/method_output.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <variant>
+
+#include "echoarc/io/map_server.hpp"
+#include "echoarc/io/npy.hpp"
+#include "echoarc/io/picture.hpp"
+#include "echoarc/io/points_csv.hpp"
+#include "io/files.hpp"
+
+namespace echoarc::io {
+namespace {
+
+/// A method that clears space shows its walls as cells; of one that only marks, single cells among nothing are hard to
+/// see, so its points are drawn.
+bool clears_space(const DenseGrid<CellState>& states) {
+  return std::ranges::find(states.values(), CellState::free) != states.values().end();
+}
+
+Result<void> write_map_picture(const std::filesystem::path& path, const MapExport& map, const MethodPicture& picture) {
+  PictureContent content;
+  content.title = picture.title;
+  content.path = picture.path;
+  content.states = &map.states;
+  content.probability = picture.probability;
+  if (!clears_space(map.states)) content.points = map.points.points();
+  const bool nothing = map.points.empty() && picture.path.empty() && !clears_space(map.states);
+  return nothing ? Result<void>{} : write_picture(path, content);
+}
+
+/// Writes the cell values of whichever type the method has.
+struct WriteValues {
+  const std::filesystem::path& directory;
+
+  Result<void> operator()(std::monostate) const { return {}; }
+  template <class T>
+  Result<void> operator()(const DenseGrid<T>& grid) const {
+    if (const Result<void> written = write_npy(directory / "grid.npy", grid); !written) return written;
+    return write_grid_json(directory / "grid.json", grid.geometry(), grid.width(), grid.height());
+  }
+};
+
+}  // namespace
+
+Result<void> write_method_output(const std::filesystem::path& directory, const MapExport& map,
+                                 const MethodPicture& picture) {
+  std::error_code code;
+  std::filesystem::create_directories(directory, code);
+  if (code) return unwritable(directory, code.message());
+  if (const Result<void> written = write_map(directory, map.states); !written) return written;
+  if (const Result<void> written = write_points_csv(directory / "points.csv", map.points); !written) return written;
+  if (const Result<void> written = std::visit(WriteValues{directory}, map.values); !written) return written;
+  return write_map_picture(directory / "map.png", map, picture);
+}
+
+}  // namespace echoarc::io

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "io/picture/map_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "io/picture/palette.hpp"
+
+namespace echoarc::io {
+namespace {
+
+/// What a block of cells looks like as one pixel: an occupied cell shows, however small; then a free one.
+Color color_of(const PictureContent& content, const CellBox& block) {
+  CellState shown = CellState::unknown;
+  float probability = 0.0F;
+  for (std::int32_t j = block.j_begin; j < block.j_end; ++j)
+    for (std::int32_t i = block.i_begin; i < block.i_end; ++i) {
+      const CellState state = content.states->at({i, j});
+      if (state == CellState::unknown) continue;
+      shown = shown == CellState::occupied ? shown : state;
+      if (content.probability != nullptr) probability = std::max(probability, content.probability->at({i, j}));
+    }
+  if (shown == CellState::unknown) return palette::unknown;
+  if (content.probability != nullptr)
+    return mix(palette::free, palette::occupied, std::clamp(static_cast<double>(probability), 0.0, 1.0));
+  return shown == CellState::occupied ? palette::occupied : palette::free;
+}
+
+CellBox intersect(const CellBox& a, const CellBox& b) {
+  return {std::max(a.i_begin, b.i_begin), std::max(a.j_begin, b.j_begin), std::min(a.i_end, b.i_end),
+          std::min(a.j_end, b.j_end)};
+}
+
+void draw_cells(Canvas& canvas, const PictureContent& content, const View& view) {
+  const int enlarge = std::max(view.pixels_per_cell, 1);
+  const int step = view.cells_per_pixel;
+  for (int y = 0; y < view.height; y += enlarge)
+    for (int x = 0; x < view.width; x += enlarge) {
+      const std::int32_t i = view.cells.i_begin + x / enlarge * step;
+      const std::int32_t j = view.cells.j_begin + (view.height - enlarge - y) / enlarge * step;
+      const CellBox block = intersect({i, j, i + step, j + step}, content.states->box());
+      if (!block.empty()) canvas.fill_rect(x, y, x + enlarge, y + enlarge, color_of(content, block));
+    }
+}
+
+/// Small crosses at whole multiples of the scale bar's length: distances can be read anywhere on the map.
+void draw_grid_marks(Canvas& canvas, const View& view) {
+  constexpr int arm = 4;
+  const double spacing_m = scale_bar_m(view, scale_bar_share);
+  const Vec2 high = view.low + Vec2{view.width / view.pixels_per_m, view.height / view.pixels_per_m};
+  const double first_x = std::ceil(view.low.x / spacing_m);
+  const double first_y = std::ceil(view.low.y / spacing_m);
+  for (double n = first_y; n * spacing_m < high.y; ++n)
+    for (double m = first_x; m * spacing_m < high.x; ++m) {
+      const Vec2 pixel = view.pixel({m * spacing_m, n * spacing_m});
+      const int x = static_cast<int>(pixel.x);
+      const int y = static_cast<int>(pixel.y);
+      canvas.fill_rect(x - arm, y, x + arm + 1, y + 1, palette::grid_mark);
+      canvas.fill_rect(x, y - arm, x + 1, y + arm + 1, palette::grid_mark);
+    }
+}
+
+void draw_path(Canvas& canvas, std::span<const Vec2> path, const View& view) {
+  std::vector<Vec2> line;
+  for (const Vec2 position : path)
+    if (is_finite(position)) line.push_back(view.pixel(position));
+  if (line.empty()) return;
+  canvas.stroke(line, path_width, palette::path, path_opacity);
+  draw_start_mark(canvas, line.front());
+  draw_end_mark(canvas, line.back());
+}
+
+void draw_points(Canvas& canvas, std::span<const MapPoint> points, const View& view) {
+  constexpr double radius_m = 0.03;
+  const double radius = std::clamp(radius_m * view.pixels_per_m, 2.0, 4.0);
+  for (const MapPoint& point : points)
+    if (is_finite(point.position)) draw_point_mark(canvas, view.pixel(point.position), point.label, radius);
+}
+
+}  // namespace
+
+Canvas draw_map(const PictureContent& content, const View& view) {
+  Canvas canvas(view.width, view.height, palette::unknown);
+  if (!view.cells.empty()) draw_cells(canvas, content, view);
+  draw_grid_marks(canvas, view);
+  draw_path(canvas, content.path, view);
+  draw_points(canvas, content.points, view);
+  return canvas;
+}
+
+void draw_point_mark(Canvas& canvas, Vec2 pixel, PointLabel label, double radius) {
+  const Color color = palette::of(label);
+  if (label == PointLabel::cell) return canvas.fill_disc(pixel, radius, color);
+  const Vec2 down[] = {pixel + Vec2{-radius, -radius}, pixel + Vec2{radius, radius}};
+  const Vec2 up[] = {pixel + Vec2{-radius, radius}, pixel + Vec2{radius, -radius}};
+  canvas.stroke(down, 1.6, color);
+  canvas.stroke(up, 1.6, color);
+}
+
+void draw_start_mark(Canvas& canvas, Vec2 pixel) {
+  canvas.fill_disc(pixel, 7.0, palette::path);
+  canvas.fill_disc(pixel, 4.6, palette::free);
+}
+
+void draw_end_mark(Canvas& canvas, Vec2 pixel) {
+  canvas.fill_disc(pixel, 8.0, palette::free);
+  canvas.fill_disc(pixel, 6.2, palette::path);
+}
+
+}  // namespace echoarc::io

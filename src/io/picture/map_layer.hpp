@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "echoarc/io/picture.hpp"
+#include "io/picture/canvas.hpp"
+#include "io/picture/view.hpp"
+
+namespace echoarc::io {
+
+/// The map itself: cells, marks every scale-bar length, path, points.
+[[nodiscard]] Canvas draw_map(const PictureContent& content, const View& view);
+
+/// The mark of a point; the legend shows the same.
+void draw_point_mark(Canvas& canvas, Vec2 pixel, PointLabel label, double radius);
+/// Where the robot started (a ring) and where it is at the end (a disc).
+void draw_start_mark(Canvas& canvas, Vec2 pixel);
+void draw_end_mark(Canvas& canvas, Vec2 pixel);
+
+inline constexpr double path_width = 2.2;  ///< pixels
+inline constexpr double path_opacity = 0.8;
+
+}  // namespace echoarc::io

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstddef>
+
+#include "echoarc/maps/point_map.hpp"
+#include "io/picture/canvas.hpp"
+
+namespace echoarc::io::palette {
+
+inline constexpr Color paper = rgb(0xF7F8FA);
+inline constexpr Color frame = rgb(0xC9D0D8);
+inline constexpr Color ink = rgb(0x18212B);
+inline constexpr Color quiet_ink = rgb(0x465260);
+inline constexpr Color unknown = rgb(0xE4E8ED);
+inline constexpr Color free = rgb(0xFFFFFF);
+inline constexpr Color occupied = rgb(0x1D2630);
+inline constexpr Color grid_mark = rgb(0xB9C2CC);
+inline constexpr Color path = rgb(0x1763C6);
+
+/// One colour a label; told apart by people with red-green blindness, too.
+[[nodiscard]] constexpr Color of(PointLabel label) {
+  constexpr Color colors[] = {rgb(0xBC7600), rgb(0x5B1F92)};
+  return colors[static_cast<std::size_t>(label)];
+}
+
+}  // namespace echoarc::io::palette
