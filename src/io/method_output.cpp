@@ -16,20 +16,23 @@
 namespace echoarc::io {
 namespace {
 
-/// A method that clears space shows its walls as cells; of one that only marks, single cells among nothing are hard to
-/// see, so its points are drawn.
 bool clears_space(const DenseGrid<CellState>& states) {
   return std::ranges::find(states.values(), CellState::free) != states.values().end();
 }
 
+/// A method that clears space shows its walls as cells. One that only marks has single small cells among nothing known:
+/// its points are drawn instead.
 Result<void> write_map_picture(const std::filesystem::path& path, const MapExport& map, const MethodPicture& picture) {
   PictureContent content;
   content.title = picture.title;
   content.path = picture.path;
-  content.states = &map.states;
-  content.probability = picture.probability;
-  if (!clears_space(map.states)) content.points = map.points.points();
-  const bool nothing = map.points.empty() && picture.path.empty() && !clears_space(map.states);
+  if (clears_space(map.states)) {
+    content.states = &map.states;
+    content.probability = picture.probability;
+  } else {
+    content.points = map.points.points();
+  }
+  const bool nothing = content.states == nullptr && content.points.empty() && content.path.empty();
   return nothing ? Result<void>{} : write_picture(path, content);
 }
 

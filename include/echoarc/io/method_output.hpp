@@ -21,7 +21,7 @@ struct MethodPicture {
 };
 
 /// Writes everything a method hands over into `directory` (made if absent): map.yaml, map.pgm, map.png, points.csv,
-/// and, where the method has cell values, grid.npy and grid.json.
+/// and, where the method has cell values, grid.npy and grid.json. There is no map.png of a map that holds nothing.
 [[nodiscard]] Result<void> write_method_output(const std::filesystem::path& directory, const MapExport& map,
                                                const MethodPicture& picture);
 

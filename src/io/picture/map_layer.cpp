@@ -75,7 +75,7 @@ void draw_path(Canvas& canvas, std::span<const Vec2> path, const View& view) {
 
 void draw_points(Canvas& canvas, std::span<const MapPoint> points, const View& view) {
   constexpr double radius_m = 0.03;
-  const double radius = std::clamp(radius_m * view.pixels_per_m, 2.0, 4.0);
+  const double radius = std::clamp(radius_m * view.pixels_per_m, 2.4, 4.0);
   for (const MapPoint& point : points)
     if (is_finite(point.position)) draw_point_mark(canvas, view.pixel(point.position), point.label, radius);
 }
@@ -83,7 +83,7 @@ void draw_points(Canvas& canvas, std::span<const MapPoint> points, const View& v
 }  // namespace
 
 Canvas draw_map(const PictureContent& content, const View& view) {
-  Canvas canvas(view.width, view.height, palette::unknown);
+  Canvas canvas(view.width, view.height, content.states != nullptr ? palette::unknown : palette::free);
   if (!view.cells.empty()) draw_cells(canvas, content, view);
   draw_grid_marks(canvas, view);
   draw_path(canvas, content.path, view);
