@@ -12,6 +12,7 @@
 #include "echoarc/core/bytes.hpp"
 #include "echoarc/core/options.hpp"
 #include "echoarc/mapping/method.hpp"
+#include "echoarc/maps/tiled_grid.hpp"
 
 /// The common beginning of every saved method: its name, its options, its counters.
 namespace echoarc {
@@ -60,6 +61,15 @@ template <class Method>
   if (!in.get_all(std::span<char>(found)) || found != name || !restore_options(in, options)) return false;
   counters = in.get<InsertCounters>();
   return in.ok();
+}
+
+/// Restores a grid whose geometry and memory limit the options have already fixed: a saved grid with others is refused
+/// before anything is allocated for it.
+template <class T>
+[[nodiscard]] bool restore_grid(ByteReader& in, TiledGrid<T>& grid) {
+  ByteReader head = in;
+  const bool same_geometry = head.get<GridGeometry>() == grid.geometry();
+  return same_geometry && head.get<std::uint64_t>() == grid.memory_limit_bytes() && grid.restore(in);
 }
 
 }  // namespace echoarc

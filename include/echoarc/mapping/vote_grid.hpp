@@ -5,8 +5,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "echoarc/mapping/method.hpp"
 #include "echoarc/maps/arc_raster.hpp"
 #include "echoarc/maps/tiled_grid.hpp"
 
@@ -24,9 +26,14 @@ class VoteGrid {
   /// Counts an arc. False when the memory limit forbids it; no count has changed then.
   [[nodiscard]] bool add(const Arc& arc);
   [[nodiscard]] const Counts& counts() const { return counts_; }
+  /// What `add` would change.
+  [[nodiscard]] std::vector<CellChange> changes(const Arc& arc) const;
+  /// Whether the arc crosses the cell at \p position.
+  [[nodiscard]] bool crosses(const Arc& arc, Vec2 position) const;
 
   void save(ByteWriter& out) const { counts_.save(out); }
-  [[nodiscard]] bool restore(ByteReader& in) { return counts_.restore(in); }
+  /// False when the bytes are no counts of a grid with this geometry and memory limit.
+  [[nodiscard]] bool restore(ByteReader& in);
 
  private:
   /// Consecutive cells of an arc inside one tile.

@@ -176,9 +176,11 @@ bool TiledGrid<T>::restore(ByteReader& in) {
   const auto memory_limit_bytes = in.get<std::uint64_t>();
   TiledGrid grid(geometry, memory_limit_bytes);
   const auto count = in.get<std::uint64_t>();
+  constexpr std::int32_t farthest = GridGeometry::max_index >> tile_shift;
+  constexpr CellBox reach{-farthest, -farthest, farthest, farthest};
   for (std::uint64_t k = 0; k < count && in.ok(); ++k) {
     const auto t = in.get<TileIndex>();
-    if (!in.ok() || !grid.ensure(t) || !in.get_all(std::span<T>(*grid.find(t)))) return false;
+    if (!in.ok() || !reach.contains(t) || !grid.ensure(t) || !in.get_all(std::span<T>(*grid.find(t)))) return false;
   }
   if (!in.ok()) return false;
   *this = std::move(grid);
