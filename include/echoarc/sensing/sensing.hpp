@@ -55,15 +55,15 @@ class Sensing {
     PingId id;
   };
 
+  [[nodiscard]] bool can_settle(const Ping& ping) const;
   void drain();
   void settle(const Waiting& waiting);
   [[nodiscard]] std::optional<Rejection> check_identity(const Ping& ping) const;
   [[nodiscard]] Reading make_reading(const Waiting& waiting, const Pose2& T_world_robot, const Outcome& outcome,
                                      std::uint32_t scan) const;
   [[nodiscard]] DecodedRange decode(const Ping& ping) const;
-  [[nodiscard]] bool hopeless(const Ping& ping) const;
   [[nodiscard]] WallSide wall_at(double time_s) const;
-  void accept(Reading reading);
+  void accept(const Reading& reading);
   void reject(const Waiting& waiting, Rejection reason);
   [[nodiscard]] SensorTally* tally_of(SensorId sensor);
 
@@ -79,6 +79,10 @@ class Sensing {
   std::vector<Reading> readings_;
   SensingReport report_;
 };
+
+/// Sensing for the pings of a whole log: the no-echo decisions come from all its values; odometry and wall notes are
+/// in, pings follow.
+[[nodiscard]] Sensing sensing_for(const Log& log, const SensingOptions& options = {});
 
 /// A whole log: the no-echo decisions from all its values, then every ping.
 struct SensedLog {
