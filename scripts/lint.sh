@@ -28,7 +28,7 @@ check "dependency arrows" "$python" scripts/check_arrows.py
 check "house rules" "$python" scripts/check_house.py
 check "sizes" "$python" scripts/check_sizes.py
 check "shell scripts" shell_scripts
-check "clang-tidy" scripts/run_tidy.sh "$jobs"
+check "clang-tidy" "$python" scripts/run_tidy.py build/dev "$jobs"
 
 if [ ${#failed[@]} -gt 0 ]; then
   printf 'lint FAILED: %s\n' "${failed[@]}"
