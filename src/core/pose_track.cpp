@@ -8,27 +8,28 @@
 
 namespace echoarc {
 
-PoseTrack::PoseTrack(std::span<const Odometry> odometry) {
-  records_.reserve(odometry.size());
-  for (const Odometry& record : odometry) {
-    if (!std::isfinite(record.time_s) || !is_finite(record.T_world_robot))
-      ++not_finite_;
-    else if (!records_.empty() && record.time_s <= records_.back().time_s)
-      ++out_of_order_;
-    else
-      records_.push_back(record);
+std::optional<PoseTrack::Refusal> PoseTrack::push(const Odometry& sample) {
+  if (!std::isfinite(sample.time_s)) return Refusal::bad_time;
+  const Pose2& pose = sample.T_world_robot;
+  const bool in_reach = std::abs(pose.position.x) <= farthest_m && std::abs(pose.position.y) <= farthest_m;
+  if (!in_reach || !is_finite(pose.heading)) return Refusal::bad_pose;  // NaN is not in reach
+  if (!samples_.empty()) {
+    if (sample.time_s < newest_s()) return Refusal::backwards;
+    if (sample.time_s == newest_s()) return Refusal::duplicate;
+    if (sample.time_s - newest_s() > max_jump_s_) return Refusal::bad_time;
   }
+  samples_.push_back(sample);
+  return std::nullopt;
 }
 
-std::optional<Pose2> PoseTrack::T_world_robot(double time_s, double max_gap_s) const {
-  const auto after = std::lower_bound(records_.begin(), records_.end(), time_s,
-                                      [](const Odometry& record, double t) { return record.time_s < t; });
-  if (after == records_.end()) return std::nullopt;  // a NaN finds the first record
+std::variant<Pose2, PoseTrack::Missing> PoseTrack::at(double time_s) const {
+  const auto after = std::ranges::lower_bound(samples_, time_s, {}, &Odometry::time_s);
+  if (after == samples_.end()) return Missing::outside;
   if (after->time_s == time_s) return after->T_world_robot;
-  if (after == records_.begin()) return std::nullopt;
+  if (after == samples_.begin()) return Missing::outside;
   const auto before = after - 1;
   const double gap_s = after->time_s - before->time_s;
-  if (gap_s > max_gap_s) return std::nullopt;
+  if (gap_s > max_gap_s_) return Missing::gap;
   return interpolate(before->T_world_robot, after->T_world_robot, (time_s - before->time_s) / gap_s);
 }
 

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "echoarc/core/pose_track.hpp"
@@ -55,7 +55,8 @@ bool count_scan(ReturnCounts& counts, const Scan& scan, const LaserMount& laser,
 
 /// How many scans had a pose.
 Result<std::uint64_t> count_scans(ReturnCounts& counts, const Log& log, double range_max_m) {
-  const PoseTrack track(log.odometry);
+  PoseTrack track;
+  for (const Odometry& sample : log.odometry) (void)track.push(sample);  // sensing reports what it refuses
   if (track.empty())
     return refused(ErrorCode::bad_value, log, "no odometry to place the laser scans with",
                    "give the odometry file, too");
@@ -66,8 +67,9 @@ Result<std::uint64_t> count_scans(ReturnCounts& counts, const Log& log, double r
       return refused(ErrorCode::bad_value, log,
                      "scan of laser " + std::to_string(scan.laser) + ", which nobody described",
                      "add its mount to the robot description");
-    const std::optional<Pose2> T_world_robot = track.T_world_robot(scan.time_s);
-    if (!T_world_robot) continue;
+    const auto pose = track.at(scan.time_s);
+    const Pose2* T_world_robot = std::get_if<Pose2>(&pose);
+    if (T_world_robot == nullptr) continue;
     ++placed;
     if (!count_scan(counts, scan, *laser, *T_world_robot * laser->mount.T_robot_sensor(), range_max_m))
       return refused(ErrorCode::too_large, log, "laser returns are spread too far for memory",

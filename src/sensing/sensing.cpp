@@ -25,6 +25,20 @@ double offending_value(const Ping& ping, Rejection reason) {
   }
 }
 
+Rejection reason_of(PoseTrack::Refusal refusal) {
+  switch (refusal) {
+    case PoseTrack::Refusal::bad_pose: return Rejection::bad_pose;
+    case PoseTrack::Refusal::backwards: return Rejection::time_backwards;
+    case PoseTrack::Refusal::duplicate: return Rejection::duplicate;
+    case PoseTrack::Refusal::bad_time: break;
+  }
+  return Rejection::bad_time;
+}
+
+Rejection reason_of(PoseTrack::Missing missing) {
+  return missing == PoseTrack::Missing::gap ? Rejection::pose_gap : Rejection::no_pose;
+}
+
 }  // namespace
 
 Sensing::Sensing(SensorArray sensors, const SensingOptions& options, std::vector<NoEchoDecision> no_echo,
@@ -44,9 +58,10 @@ Sensing::Sensing(SensorArray sensors, const SensingOptions& options, std::vector
 
 void Sensing::push(const Odometry& sample) {
   const std::uint64_t index = report_.odometry++;
-  if (const auto reason = track_.push(sample)) {
-    const bool of_pose = *reason == Rejection::bad_pose;
-    report_.rejected_odometry.add(*reason, sample.line, index,
+  if (const auto refusal = track_.push(sample)) {
+    const Rejection reason = reason_of(*refusal);
+    const bool of_pose = reason == Rejection::bad_pose;
+    report_.rejected_odometry.add(reason, sample.line, index,
                                   of_pose ? sample.T_world_robot.position.x : sample.time_s);
     return;
   }
@@ -104,8 +119,8 @@ std::optional<Rejection> Sensing::check_identity(const Ping& ping) const {
 void Sensing::settle(const Waiting& waiting) {
   const Ping& ping = waiting.ping;
   if (const auto reason = check_identity(ping)) return reject(waiting, *reason);
-  const std::variant<Pose2, Rejection> pose = track_.at(ping.time_s);
-  if (const auto* reason = std::get_if<Rejection>(&pose)) return reject(waiting, *reason);
+  const std::variant<Pose2, PoseTrack::Missing> pose = track_.at(ping.time_s);
+  if (const auto* missing = std::get_if<PoseTrack::Missing>(&pose)) return reject(waiting, reason_of(*missing));
   // Only now is the stamp known to be sane: a wild one must not make the pings after it look late.
   newest_ping_s_ = ping.time_s;
   const std::uint32_t scan = scans_.number(ping);

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "echoarc/core/log.hpp"
+#include "echoarc/core/pose_track.hpp"
 #include "echoarc/core/reading.hpp"
 #include "echoarc/core/speed_of_sound.hpp"
-#include "echoarc/sensing/pose_track.hpp"
 #include "echoarc/sensing/scan_numbering.hpp"
 #include "echoarc/sensing/sensing_options.hpp"
 #include "echoarc/sensing/sensing_report.hpp"
