@@ -30,6 +30,12 @@ std::string pgm_bytes(const DenseGrid<CellState>& grid) {
   return bytes;
 }
 
+Result<DenseGrid<CellState>> decode(const MapYaml& yaml, std::string_view bytes, std::string_view image_name) {
+  const Result<GrayImage> image = decode_gray_image(bytes, image_name);
+  if (!image) return image.error();
+  return states_of(*image, yaml);
+}
+
 }  // namespace
 
 Result<void> write_map(const std::filesystem::path& directory, const DenseGrid<CellState>& grid) {
@@ -48,9 +54,13 @@ Result<DenseGrid<CellState>> read_map_yaml(const std::filesystem::path& path) {
   const std::filesystem::path image_path = path.parent_path() / yaml->image;
   const Result<std::string> bytes = read_file(image_path, max_image_bytes);
   if (!bytes) return bytes.error();
-  const Result<GrayImage> image = decode_gray_image(*bytes, image_path.string());
-  if (!image) return image.error();
-  return states_of(*image, *yaml);
+  return decode(*yaml, *bytes, image_path.string());
+}
+
+Result<DenseGrid<CellState>> parse_map(std::string_view yaml, std::string_view image, std::string_view source) {
+  const Result<MapYaml> description = parse_map_yaml(yaml, source);
+  if (!description) return description.error();
+  return decode(*description, image, description->image);
 }
 
 }  // namespace echoarc::io

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 
 #include "echoarc/core/result.hpp"
 #include "echoarc/maps/dense_grid.hpp"
@@ -30,8 +31,12 @@ inline constexpr std::int64_t max_map_pixels = std::int64_t{1} << 28;
 /// Reads a map.yaml and its picture (PGM binary or plain, or 8-bit PNG) into a grid of states.
 ///
 /// Understood: `image`, `resolution`, `origin`, `negate`, `occupied_thresh`, `free_thresh`, `mode: trinary` (or
-/// `scale`, read as trinary). Transparent pixels are unknown, as in map_server. Errors: a missing or repeated key, a
+/// `scale`, read as trinary). Transparent pixels are unknown. Errors: a missing or repeated key, a
 /// number out of range, yaw other than 0, `mode: raw`, a picture that is truncated, too large or of another format.
 [[nodiscard]] Result<DenseGrid<CellState>> read_map_yaml(const std::filesystem::path& path);
+/// The same from memory: the text of the YAML, whose `image` is not looked at, and the bytes of the picture. `source`
+/// names the YAML in messages.
+[[nodiscard]] Result<DenseGrid<CellState>> parse_map(std::string_view yaml, std::string_view image,
+                                                     std::string_view source);
 
 }  // namespace echoarc::io
