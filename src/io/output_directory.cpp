@@ -47,10 +47,11 @@ Result<void> check_replaceable(const fs::path& path) {
 /// The folder's name without links, "." and a trailing slash.
 Result<fs::path> resolved(const fs::path& given) {
   std::error_code code;
-  fs::path path = fs::weakly_canonical(fs::absolute(given), code).lexically_normal();
-  if (code) return unwritable(given, code.message());
+  const fs::path absolute = fs::absolute(given, code);
+  fs::path path = code ? fs::path() : fs::weakly_canonical(absolute, code).lexically_normal();
+  if (code && !given.empty()) return unwritable(given, code.message());
   if (!path.has_filename()) path = path.parent_path();
-  if (given.empty() || !path.has_filename())
+  if (!path.has_filename())
     return Error{ErrorCode::bad_value, "is no name for a folder", given.string(), "name a folder (-o DIR)"};
   return path;
 }

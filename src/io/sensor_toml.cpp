@@ -214,9 +214,9 @@ Result<RobotDescription> read_robot_table(const toml::table& table, std::string_
   robot.radius_m = fields.length_m("radius", 0.0, 1000.0).value_or(robot.radius_m);
   SensorCollector collector(fields);
   collector.add_array();
-  collector.add_explicit();
   collector.add_rings();
   collector.add_rows();
+  collector.add_explicit();
   robot.lasers = read_lasers(fields);
   if (const Result<void> done = fields.finish(); !done) return done.error();
   Result<SensorArray> sensors = SensorArray::make(collector.take());

@@ -17,11 +17,11 @@ namespace echoarc::io {
 ///   range_min, range_max, trusted_range          metres (also spelled with `_m`)
 ///   no_echo = "auto" | "inf" | "nan" | "zero" | "max" | { above = 5.0 }
 ///
-/// Where the sensors are, one or several of:
+/// Where the sensors are, one or several of these, taken in this order; ids that are not given count on:
 ///   array = "nomad200"            a whole array of the literature
-///   [[sensors]]   id (default: position in the list), x, y, z in metres, roll, pitch, yaw (radians, or `_deg`)
 ///   ring = { count, radius_m, start_deg, first_id }     one table, or a list of tables
 ///   row = { count, spacing_m, x_m, first_id }
+///   [[sensors]]   id, x, y, z in metres, roll, pitch, yaw (radians, or `_deg`)
 
 /// Reads the model keys of a table over `defaults`. Errors stay in `fields`.
 [[nodiscard]] SensorModel read_sensor_model(TomlFields& fields, const SensorModel& defaults);
