@@ -58,8 +58,7 @@ TEST(V53, VotingAndThresholding) {
 
 TEST(V53, DirectionalMaximumAlongColumns) {
   const auto columns = [](int threshold) {
-    return DirectionalMaximumOptions{
-        .threshold = threshold, .doi = DirectionOfInterest::axis, .axis = degrees(90.0)};
+    return DirectionalMaximumOptions{.threshold = threshold, .doi = DirectionOfInterest::axis, .axis = degrees(90.0)};
   };
   EXPECT_EQ(occupied_cells<DirectionalMaximum>(columns(1)), 95U);
   EXPECT_EQ(occupied_cells<DirectionalMaximum>(columns(2)), 73U);
