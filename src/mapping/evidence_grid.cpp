@@ -13,8 +13,8 @@
 namespace echoarc {
 namespace {
 
-/// Changes are made when this many runs are planned: enough to share between threads, few enough to stay in cache.
-constexpr std::size_t plan_capacity = 16384;
+/// Changes are made when this many rows are planned: enough to share between threads, few enough to stay in cache.
+constexpr std::size_t plan_capacity = 8192;
 
 }  // namespace
 
@@ -86,9 +86,10 @@ Trace EvidenceGrid::trace(const Reading& reading) const {
                             {"p", probability(change)},
                             {"log_odds_added", change}}});
   };
-  for (const auto* runs : {&planner.plan().free, &planner.plan().band})
-    for (const kernels::Run& run : *runs)
-      for (std::int32_t i = run.i_begin; i < run.i_end; ++i) describe({i, run.j});
+  const PlannedRows& rows = planner.plan().rows;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::int32_t i = rows.begin[k]; i < rows.end[k]; ++i)
+      if (i < rows.near_begin[k] || i >= rows.near_end[k]) describe({i, rows.j[k]});
   for (const SpotUpdate& spot : planner.plan().spots) describe(spot.cell);
   std::ranges::sort(trace.cells, [](const CellChange& a, const CellChange& b) { return a.cell < b.cell; });
   return trace;

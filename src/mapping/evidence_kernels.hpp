@@ -12,11 +12,34 @@
 
 namespace echoarc::kernels {
 
-/// Cells i_begin <= i < i_end of row j; all runs of one call lie in one row of tiles.
-struct Run {
-  std::int32_t j;
-  std::int32_t i_begin;
-  std::int32_t i_end;
+/// One run of cells per row, as parallel arrays: begin[k] <= i < end[k] of row j[k]; empty where end <= begin. All rows
+/// of one call lie in one row of tiles.
+struct Runs {
+  const std::int32_t* j;
+  const std::int32_t* begin;
+  const std::int32_t* end;
+  std::size_t count;
+};
+
+/// Two circles about the apex of a sector, in cells with cell centres at whole numbers: the far one ends what is free,
+/// the near one what is too close to say. A squared radius below 0 is no circle.
+struct SplitShape {
+  double apex_j;
+  double free_squared;
+  double near_squared;
+  double outside;          ///< no cell of the sector is as far from the apex
+  std::int32_t i_below;    ///< a column left of all of them; columns are counted from it, so that truncation is floor
+  std::int32_t i_above;    ///< a column right of all of them; counted down from it, truncation is ceil
+  double apex_from_below;  ///< apex_i - i_below
+  double apex_from_above;  ///< i_above - apex_i
+};
+
+/// Columns at which the rows of a sector change from band to free to too near to free to band.
+struct RowEdges {
+  std::int32_t* free_begin;
+  std::int32_t* near_begin;
+  std::int32_t* near_end;
+  std::int32_t* free_end;
 };
 
 /// The tiles of one row of tiles: `tiles[k]` holds the columns from (first_column + k) * 64 on. Tiles no run meets may
@@ -54,14 +77,14 @@ struct BandModel {
   float range_m;
 };
 
-/// All log-odds are in units of the grid (see log_odds_per_unit) and saturate at +-32767.
+/// All log-odds are in units of the grid (see log_odds_per_unit) and saturate as 16-bit integers do.
 struct EvidenceKernels {
   const char* instruction_set;
-  void (*add_constant)(const TileRow& row, const Run* runs, std::size_t count, std::int16_t increment);
-  void (*add_angular)(const TileRow& row, const Run* runs, std::size_t count, const BeamFrame& beam,
-                      const Polynomial& increment);
-  void (*add_band)(const TileRow& row, const Run* runs, std::size_t count, const BeamFrame& beam,
-                   const BandModel& band);
+  /// sector.begin <= free_begin <= near_begin <= near_end <= free_end <= sector.end in every row.
+  void (*split_rows)(const SplitShape& shape, const Runs& sector, const RowEdges& edges);
+  void (*add_constant)(const TileRow& row, const Runs& runs, std::int16_t increment);
+  void (*add_angular)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment);
+  void (*add_band)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band);
 };
 
 /// The kernels for this processor, chosen once. All of them give the same bytes.

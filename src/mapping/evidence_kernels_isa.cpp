@@ -15,31 +15,68 @@ namespace {
 constexpr std::int32_t tile_shift = 6;
 constexpr std::int32_t tile_size = 1 << tile_shift;
 constexpr std::int32_t lanes = 16;  // cells handled together; the ends of a run are masked, not peeled
-constexpr std::int16_t ceiling = 32767;
+constexpr std::int32_t highest = 32767;
+constexpr std::int32_t lowest = -32768;
 
-/// Calls `block(cells, i, begin, end)` for every aligned block of `lanes` cells that a run meets: `cells` points to the
-/// block, `i` is its first column, and the lanes begin <= l < end belong to the run.
-template <class Block>
-inline void for_each_block(const TileRow& row, const Run& run, Block&& block) {
-  const std::int32_t row_offset = (run.j & (tile_size - 1)) * tile_size;
-  for (std::int32_t i = run.i_begin & ~(lanes - 1); i < run.i_end; i += lanes) {
+/// Calls `segment(cells, i, begin, end)` for every tile that a run meets: `cells` points to the tile's part of the row,
+/// `i` is its first column, and the cells begin <= l < end of it belong to the run.
+template <class Segment>
+inline void for_each_segment(const TileRow& row, const Runs& runs, std::size_t k, Segment&& segment) {
+  const std::int32_t row_offset = (runs.j[k] & (tile_size - 1)) * tile_size;
+  const std::int32_t run_begin = runs.begin[k];
+  const std::int32_t run_end = runs.end[k];
+  for (std::int32_t i = run_begin & ~(tile_size - 1); i < run_end; i += tile_size) {
     std::int16_t* tile = row.tiles[(i >> tile_shift) - row.first_column];
-    const std::int32_t begin = run.i_begin - i;
-    const std::int32_t end = run.i_end - i;
-    block(tile + row_offset + (i & (tile_size - 1)), i, static_cast<std::int16_t>(begin < 0 ? 0 : begin),
-          static_cast<std::int16_t>(end > lanes ? lanes : end));
+    segment(tile + row_offset, i, run_begin > i ? run_begin - i : 0, run_end - i < tile_size ? run_end - i : tile_size);
   }
 }
 
 /// Rounds to the nearest whole number, ties to even, for |x| < 2^22: adding 1.5 * 2^23 leaves the integer in the low
 /// bits.
 inline std::int32_t round_to_int(float x) {
-  return __builtin_bit_cast(std::int32_t, x + 12582912.0F) - 0x4b400000;
+  return static_cast<std::int32_t>(__builtin_bit_cast(std::uint32_t, x + 12582912.0F) - 0x4b400000U);
 }
 
 inline std::int16_t saturated(std::int32_t sum) {
-  sum = sum > ceiling ? ceiling : sum;
-  return static_cast<std::int16_t>(sum < -ceiling ? -ceiling : sum);
+  sum = sum > highest ? highest : sum;
+  return static_cast<std::int16_t>(sum < lowest ? lowest : sum);
+}
+
+inline double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+inline std::int32_t clamped(std::int32_t x, std::int32_t low, std::int32_t high) {
+  x = x < high ? x : high;
+  return x > low ? x : low;
+}
+
+/// Half the chord that a row cuts from a circle. Rows that miss it get a chord so negative that it begins right of
+/// everything.
+inline double half_chord(double radius_squared, double dy, double outside) {
+  const double squared = radius_squared - dy * dy;
+  const double half = smaller(__builtin_sqrt(squared > 0.0 ? squared : 0.0), outside);
+  return squared > 0.0 ? half : -outside;
+}
+
+void split_rows(const SplitShape& shape, const Runs& sector, const RowEdges& edges) {
+  const SplitShape s = shape;
+  const auto first_from = [&s](double half) { return s.i_above - static_cast<std::int32_t>(s.apex_from_above + half); };
+  const auto first_after = [&s](double half) {
+    return s.i_below + static_cast<std::int32_t>(s.apex_from_below + half) + 1;
+  };
+  std::int32_t* __restrict free_begin = edges.free_begin;
+  std::int32_t* __restrict near_begin = edges.near_begin;
+  std::int32_t* __restrict near_end = edges.near_end;
+  std::int32_t* __restrict free_end = edges.free_end;
+  for (std::size_t k = 0; k < sector.count; ++k) {
+    const double dy = static_cast<double>(sector.j[k]) - s.apex_j;
+    const double free_half = half_chord(s.free_squared, dy, s.outside);
+    const double near_half = half_chord(s.near_squared, dy, s.outside);
+    free_begin[k] = clamped(first_from(free_half), sector.begin[k], sector.end[k]);
+    free_end[k] = clamped(first_after(free_half), free_begin[k], sector.end[k]);
+    near_begin[k] = clamped(first_from(near_half), free_begin[k], free_end[k]);
+    near_end[k] = clamped(first_after(near_half), near_begin[k], free_end[k]);
+  }
 }
 
 template <int terms>
@@ -49,19 +86,22 @@ inline float evaluate(const float* c, float x) {
   return sum;
 }
 
-void add_constant(const TileRow& row, const Run* runs, std::size_t count, std::int16_t increment) {
-  // Clamping before the sum keeps it within 16 bits: sixteen lanes to a 256-bit register.
-  const std::int16_t high = increment > 0 ? static_cast<std::int16_t>(ceiling - increment) : ceiling;
-  const std::int16_t low =
-      increment < 0 ? static_cast<std::int16_t>(-ceiling - increment) : static_cast<std::int16_t>(-ceiling);
-  for (std::size_t k = 0; k < count; ++k) {
-    for_each_block(row, runs[k], [&](std::int16_t* cells, std::int32_t, std::int16_t begin, std::int16_t end) {
-      for (std::int16_t l = 0; l < lanes; ++l) {
-        std::int16_t value = cells[l];
-        std::int16_t clamped = value > high ? high : value;
-        clamped = clamped < low ? low : clamped;
-        const auto sum = static_cast<std::int16_t>(clamped + increment);
-        cells[l] = (l >= begin) & (l < end) ? sum : value;
+void add_constant(const TileRow& row, const Runs& runs, std::int16_t increment) {
+  // Clamping before the sum keeps it within 16 bits: sixteen lanes to a 256-bit register. A segment is always handled
+  // as the whole row of its tile: four vectors, and no branch to mispredict.
+  const auto high = static_cast<std::int16_t>(increment > 0 ? highest - increment : highest);
+  const auto low = static_cast<std::int16_t>(increment < 0 ? lowest - increment : lowest);
+  for (std::size_t k = 0; k < runs.count; ++k) {
+    for_each_segment(row, runs, k, [&](std::int16_t* cells, std::int32_t, std::int32_t begin, std::int32_t end) {
+      const auto first = static_cast<std::int16_t>(begin);
+      const auto last = static_cast<std::int16_t>(end);
+#pragma GCC unroll 1
+      for (std::int16_t l = 0; l < tile_size; ++l) {
+        const std::int16_t value = cells[l];
+        std::int16_t room = value > high ? high : value;
+        room = room < low ? low : room;
+        const auto sum = static_cast<std::int16_t>(room + increment);
+        cells[l] = (l >= first) & (l < last) ? sum : value;
       }
     });
   }
@@ -69,60 +109,75 @@ void add_constant(const TileRow& row, const Run* runs, std::size_t count, std::i
 
 /// Adds `increment(dx, dy)` to the cells of the runs, dx and dy in metres from the apex.
 template <class Increment>
-inline void add_cells(const TileRow& row, const Run* runs, std::size_t count, const BeamFrame& beam,
-                      Increment&& increment) {
-  for (std::size_t k = 0; k < count; ++k) {
-    const float dy = beam.offset_y_m + static_cast<float>(runs[k].j - beam.apex_j) * beam.cell_m;
-    for_each_block(row, runs[k], [&](std::int16_t* cells, std::int32_t i, std::int32_t begin, std::int32_t end) {
-      const std::int32_t first = i - beam.apex_i;
+inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& beam, Increment&& increment) {
+  for (std::size_t k = 0; k < runs.count; ++k) {
+    const float dy = beam.offset_y_m + static_cast<float>(runs.j[k] - beam.apex_j) * beam.cell_m;
+    for_each_segment(row, runs, k, [&](std::int16_t* cells, std::int32_t i, std::int32_t begin, std::int32_t end) {
+      for (std::int32_t block = begin & ~(lanes - 1); block < end; block += lanes) {
+        const std::int32_t first = i + block - beam.apex_i;
+        const std::int32_t own_begin = begin - block;
+        const std::int32_t own_end = end - block;
+        std::int16_t* own = cells + block;
 #pragma GCC unroll 1  // unrolled early, the loop would be out of reach of the vectoriser
-      for (std::int32_t l = 0; l < lanes; ++l) {
-        const float dx = beam.offset_x_m + static_cast<float>(first + l) * beam.cell_m;
-        const std::int32_t change = round_to_int(increment(dx, dy));
-        const std::int32_t inside = -static_cast<std::int32_t>((l >= begin) & (l < end));  // all bits, or none
-        cells[l] = saturated(cells[l] + (change & inside));
+        for (std::int32_t l = 0; l < lanes; ++l) {
+          const float dx = beam.offset_x_m + static_cast<float>(first + l) * beam.cell_m;
+          const std::int32_t change = round_to_int(increment(dx, dy));
+          const std::int32_t inside =
+              -static_cast<std::int32_t>((l >= own_begin) & (l < own_end));  // all bits, or none
+          own[l] = saturated(own[l] + (change & inside));
+        }
       }
     });
   }
 }
 
 template <int terms>
-void add_angular_terms(const TileRow& row, const Run* runs, std::size_t count, const BeamFrame& beam, const float* c) {
+void add_angular_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const float* c) {
   float own[terms];
   for (int k = 0; k < terms; ++k) own[k] = c[k];
-  add_cells(row, runs, count, beam, [&](float dx, float dy) {
+  add_cells(row, runs, beam, [&](float dx, float dy) {
     const float across = beam.axis_x * dy - beam.axis_y * dx;
     return evaluate<terms>(own, across * across / (dx * dx + dy * dy));  // of sin^2 theta
   });
 }
 
-void add_angular(const TileRow& row, const Run* runs, std::size_t count, const BeamFrame& beam,
-                 const Polynomial& increment) {
+void add_angular(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment) {
   if (increment.terms <= 4)
-    add_angular_terms<4>(row, runs, count, beam, increment.c);
+    add_angular_terms<4>(row, runs, beam, increment.c);
   else if (increment.terms <= 6)
-    add_angular_terms<6>(row, runs, count, beam, increment.c);
+    add_angular_terms<6>(row, runs, beam, increment.c);
   else if (increment.terms <= 8)
-    add_angular_terms<8>(row, runs, count, beam, increment.c);
+    add_angular_terms<8>(row, runs, beam, increment.c);
   else
-    add_angular_terms<max_terms>(row, runs, count, beam, increment.c);
+    add_angular_terms<max_terms>(row, runs, beam, increment.c);
 }
 
-void add_band(const TileRow& row, const Run* runs, std::size_t count, const BeamFrame& beam, const BandModel& band) {
+template <int angular_terms, int terms>
+void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
   const BandModel own = band;
-  add_cells(row, runs, count, beam, [&](float dx, float dy) {
+  add_cells(row, runs, beam, [&](float dx, float dy) {
     const float squared = dx * dx + dy * dy;
     const float across = beam.axis_x * dy - beam.axis_y * dx;
     const float error = __builtin_sqrtf(squared) - own.range_m;
-    const float height = evaluate<max_terms>(own.angular.c, across * across / squared) *
-                         evaluate<max_terms>(own.radial.c, error * error);
-    return evaluate<max_terms>(own.logit.c, height);
+    const float height = evaluate<angular_terms>(own.angular.c, across * across / squared) *
+                         evaluate<terms>(own.radial.c, error * error);
+    return evaluate<terms>(own.logit.c, height);
   });
+}
+
+void add_band(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
+  const int terms = band.radial.terms > band.logit.terms ? band.radial.terms : band.logit.terms;
+  if (band.angular.terms == 1 && terms <= 8)
+    add_band_terms<1, 8>(row, runs, beam, band);
+  else if (band.angular.terms <= 8 && terms <= 8)
+    add_band_terms<8, 8>(row, runs, beam, band);
+  else
+    add_band_terms<max_terms, max_terms>(row, runs, beam, band);
 }
 
 }  // namespace
 
 extern const EvidenceKernels table;
-const EvidenceKernels table{ECHOARC_TEXT(ECHOARC_ISA), add_constant, add_angular, add_band};
+const EvidenceKernels table{ECHOARC_TEXT(ECHOARC_ISA), split_rows, add_constant, add_angular, add_band};
 
 }  // namespace echoarc::kernels::ECHOARC_ISA

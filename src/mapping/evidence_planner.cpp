@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace echoarc {
 namespace {
@@ -17,17 +18,6 @@ kernels::BeamFrame frame_of(const Arc& rim, const GridGeometry& geometry) {
   const Vec2 offset = geometry.centre(apex) - rim.centre();
   const Vec2 axis = unit(rim.axis());
   return {apex.i, apex.j, float(offset.x), float(offset.y), float(geometry.cell_m), float(axis.x), float(axis.y)};
-}
-
-std::uint32_t count_of(const auto& list) {
-  return static_cast<std::uint32_t>(list.size());
-}
-
-/// Columns of a row whose centres lie inside a circle about the apex, `half_squared_m2` the squared half chord.
-Columns chord(double apex_i, double half_squared_m2, double cell_m) {
-  if (half_squared_m2 <= 0.0) return {};
-  const double half = std::sqrt(half_squared_m2) / cell_m;
-  return {std::int32_t(std::ceil(apex_i - half)), std::int32_t(std::floor(apex_i + half)) + 1};
 }
 
 /// The first rows that share a row of tiles.
@@ -47,15 +37,28 @@ Columns tile_columns(std::span<const RowSpan> rows) {
   return {cells.begin >> tile_shift, ((cells.end - 1) >> tile_shift) + 1};
 }
 
-bool make_room(std::span<const RowSpan> spans, EvidenceGrid::Map& grid) {
-  while (!spans.empty()) {
-    const auto rows = rows_of_one_tile(spans);
-    const Columns columns = tile_columns(rows);
-    for (std::int32_t ti = columns.begin; ti < columns.end; ++ti)
-      if (!grid.ensure({ti, rows[0].j >> tile_shift})) return false;
-    spans = spans.subspan(rows.size());
-  }
-  return true;
+kernels::SplitShape split_shape(const BeamReach& reach, const GridGeometry& geometry) {
+  const double per_cell = 1.0 / geometry.cell_m;
+  const double apex_i = (reach.rim.centre().x - geometry.origin.x) * per_cell - 0.5;
+  kernels::SplitShape shape{};
+  shape.apex_j = (reach.rim.centre().y - geometry.origin.y) * per_cell - 0.5;
+  shape.outside = std::ceil(reach.outer_m * per_cell) + 1.0;
+  const auto squared_cells = [&](double radius_m) {
+    return radius_m > 0.0 ? radius_m * radius_m * per_cell * per_cell : -1.0;
+  };
+  // Without an echo there is no band: all of the sector is free.
+  shape.free_squared = reach.echo_m ? squared_cells(reach.free_to_m) : 4.0 * shape.outside * shape.outside;
+  shape.near_squared = squared_cells(reach.near_m);
+  shape.i_below = std::int32_t(std::floor(apex_i) - shape.outside) - 2;
+  shape.i_above = std::int32_t(std::ceil(apex_i) + shape.outside) + 2;
+  shape.apex_from_below = apex_i - shape.i_below;
+  shape.apex_from_above = shape.i_above - apex_i;
+  return shape;
+}
+
+kernels::Runs runs_of(const PlannedRows& rows, UpdateGroup::Range range, const std::vector<std::int32_t>& begin,
+                      const std::vector<std::int32_t>& end) {
+  return {rows.j.data() + range.begin, begin.data() + range.begin, end.data() + range.begin, range.size()};
 }
 
 }  // namespace
@@ -63,8 +66,7 @@ bool make_room(std::span<const RowSpan> spans, EvidenceGrid::Map& grid) {
 void UpdatePlan::clear() {
   beams.clear();
   groups.clear();
-  free.clear();
-  band.clear();
+  rows.resize(0);
   spots.clear();
 }
 
@@ -120,41 +122,56 @@ const FittedBeam& EvidenceGrid::Planner::beam_of(const Reading& reading) {
   return beams_.back().fitted;
 }
 
-void EvidenceGrid::Planner::add_runs(std::int32_t j, std::int32_t begin, std::int32_t end, bool band,
-                                     const BeamReach& reach, const FittedBeam& fitted) {
-  if (begin >= end) return;
-  const bool fits = reach.rim.is_circular() && (band ? fitted.band.has_value() : fitted.free.has_value());
-  if (fits) {
-    (band ? plan_.band : plan_.free).push_back({j, begin, end});
-    return;
+bool EvidenceGrid::Planner::add_groups(std::span<const RowSpan> spans, Map& grid) {
+  const std::size_t groups_before = plan_.groups.size();
+  std::size_t row = plan_.rows.size();
+  while (!spans.empty()) {
+    const auto rows = rows_of_one_tile(spans);
+    spans = spans.subspan(rows.size());
+    const UpdateGroup group{.beam = plan_.beams.size(),
+                            .tile_j = rows.front().j >> tile_shift,
+                            .tiles = tile_columns(rows),
+                            .rows = {row, row + rows.size()},
+                            .spots = {}};
+    row += rows.size();
+    for (std::int32_t ti = group.tiles.begin; ti < group.tiles.end; ++ti)
+      if (!grid.ensure({ti, group.tile_j})) {
+        plan_.groups.resize(groups_before);
+        return false;
+      }
+    plan_.groups.push_back(group);
   }
-  for (std::int32_t i = begin; i < end; ++i)
-    if (const int increment = exact_increment(fitted, reach, raster_.geometry().centre({i, j})); increment != 0)
-      plan_.spots.push_back({{i, j}, static_cast<std::int16_t>(increment)});
+  return true;
 }
 
-/// A row of the sector from left to right: band, free, too near, free, band; each part may be empty.
-void EvidenceGrid::Planner::split_row(const RowSpan& span, const BeamReach& reach, const FittedBeam& fitted) {
-  const double cell_m = raster_.geometry().cell_m;
-  const double apex_i = (reach.rim.centre().x - raster_.geometry().origin.x) / cell_m - 0.5;
-  const double dy = raster_.geometry().centre({0, span.j}).y - reach.rim.centre().y;
-  if (!reach.rim.is_circular()) return add_runs(span.j, span.i_begin, span.i_end, false, reach, fitted);
-
-  const auto clip = [&](std::int32_t i) { return std::clamp(i, span.i_begin, span.i_end); };
-  Columns free{span.i_end, span.i_end};
-  if (!reach.echo_m)
-    free = {span.i_begin, span.i_end};
-  else if (reach.free_to_m > 0.0) {
-    const Columns inside = chord(apex_i, reach.free_to_m * reach.free_to_m - dy * dy, cell_m);
-    if (inside.begin < inside.end) free = {clip(inside.begin), clip(inside.end)};
+void EvidenceGrid::Planner::add_rows(std::span<const RowSpan> spans, const BeamReach& reach) {
+  PlannedRows& rows = plan_.rows;
+  const std::size_t first = rows.size();
+  rows.resize(first + spans.size());
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    rows.j[first + k] = spans[k].j;
+    rows.begin[first + k] = spans[k].i_begin;
+    rows.end[first + k] = spans[k].i_end;
   }
-  const Columns close = chord(apex_i, reach.near_m * reach.near_m - dy * dy, cell_m);
-  const std::int32_t near_begin = close.begin < close.end ? std::clamp(close.begin, free.begin, free.end) : free.end;
-  const std::int32_t near_end = close.begin < close.end ? std::clamp(close.end, free.begin, free.end) : free.end;
-  add_runs(span.j, span.i_begin, free.begin, true, reach, fitted);
-  add_runs(span.j, free.begin, near_begin, false, reach, fitted);
-  add_runs(span.j, near_end, free.end, false, reach, fitted);
-  add_runs(span.j, free.end, span.i_end, true, reach, fitted);
+  kernels::evidence_kernels().split_rows(split_shape(reach, raster_.geometry()),
+                                         runs_of(rows, {first, rows.size()}, rows.begin, rows.end),
+                                         {rows.free_begin.data() + first, rows.near_begin.data() + first,
+                                          rows.near_end.data() + first, rows.free_end.data() + first});
+}
+
+void EvidenceGrid::Planner::add_spots(std::size_t first_group, std::span<const RowSpan> spans, const BeamReach& reach,
+                                      const FittedBeam& beam) {
+  for (std::size_t g = first_group; g < plan_.groups.size(); ++g) {
+    UpdateGroup& group = plan_.groups[g];
+    group.spots.begin = plan_.spots.size();
+    for (const RowSpan& span : spans.first(group.rows.size()))
+      for (std::int32_t i = span.i_begin; i < span.i_end; ++i)
+        if (const int increment = exact_increment(beam, reach, raster_.geometry().centre({i, span.j})); increment != 0)
+          plan_.spots.push_back({{i, span.j}, static_cast<std::int16_t>(increment)});
+    group.spots.end = plan_.spots.size();
+    spans = spans.subspan(group.rows.size());
+    group.rows = {};
+  }
 }
 
 bool EvidenceGrid::Planner::add(const Reading& reading, const BeamReach& reach, Map& grid) {
@@ -164,55 +181,55 @@ bool EvidenceGrid::Planner::add(const Reading& reading, const BeamReach& reach, 
   if (!(farthest_m / geometry.cell_m < GridGeometry::max_index)) return false;
 
   const auto spans = raster_.spans(reach.rim);
-  if (!make_room(spans, grid)) return false;
-
+  const std::size_t first_group = plan_.groups.size();
+  if (!add_groups(spans, grid)) return false;
   const FittedBeam& fitted = beam_of(reading);
-  const auto beam = count_of(plan_.beams);
   plan_.beams.push_back({frame_of(reach.rim, geometry), &fitted, float(reach.echo_m.value_or(0.0))});
-  for (auto rest = spans; !rest.empty();) {
-    const auto rows = rows_of_one_tile(rest);
-    rest = rest.subspan(rows.size());
-    UpdateGroup group{.beam = beam, .tile_j = rows.front().j >> tile_shift, .tiles = tile_columns(rows)};
-    group.free.begin = count_of(plan_.free);
-    group.band.begin = count_of(plan_.band);
-    group.spots.begin = count_of(plan_.spots);
-    for (const RowSpan& row : rows) split_row(row, reach, fitted);
-    group.free.end = count_of(plan_.free);
-    group.band.end = count_of(plan_.band);
-    group.spots.end = count_of(plan_.spots);
-    plan_.groups.push_back(group);
-  }
+  if (reach.rim.is_circular() && fitted.free && fitted.band)
+    add_rows(spans, reach);
+  else
+    add_spots(first_group, spans, reach, fitted);
   return true;
 }
 
-void apply_stripe(const UpdatePlan& plan, EvidenceGrid::Map& grid, std::size_t stripe, std::size_t stripes) {
+namespace {
+
+void apply_rows(const UpdatePlan& plan, const UpdateGroup& group, const kernels::TileRow& tiles) {
   const kernels::EvidenceKernels& kernels = kernels::evidence_kernels();
+  const PlannedRows& rows = plan.rows;
+  const PlannedBeam& beam = plan.beams[group.beam];
+  const auto left_band = runs_of(rows, group.rows, rows.begin, rows.free_begin);
+  const auto left_free = runs_of(rows, group.rows, rows.free_begin, rows.near_begin);
+  const auto right_free = runs_of(rows, group.rows, rows.near_end, rows.free_end);
+  const auto right_band = runs_of(rows, group.rows, rows.free_end, rows.end);
+
+  const kernels::Polynomial& free = *beam.fitted->free;
+  for (const kernels::Runs& runs : {left_free, right_free}) {
+    if (free.terms == 1)
+      kernels.add_constant(tiles, runs, static_cast<std::int16_t>(std::lrint(free.c[0])));
+    else
+      kernels.add_angular(tiles, runs, beam.frame, free);
+  }
+  kernels::BandModel band = *beam.fitted->band;
+  band.range_m = beam.range_m;
+  for (const kernels::Runs& runs : {left_band, right_band}) kernels.add_band(tiles, runs, beam.frame, band);
+}
+
+}  // namespace
+
+void apply_stripe(const UpdatePlan& plan, EvidenceGrid::Map& grid, std::size_t stripe, std::size_t stripes) {
+  constexpr int highest = std::numeric_limits<std::int16_t>::max();
+  constexpr int lowest = std::numeric_limits<std::int16_t>::min();
   std::vector<std::int16_t*> tiles;
   for (const UpdateGroup& group : plan.groups) {
     if (static_cast<std::uint32_t>(group.tile_j) % stripes != stripe) continue;
     tiles.clear();
-    for (std::int32_t ti = group.tiles.begin; ti < group.tiles.end; ++ti) {
-      auto* tile = grid.find({ti, group.tile_j});
-      tiles.push_back(tile != nullptr ? tile->data() : nullptr);
-    }
-    const kernels::TileRow row{tiles.data(), group.tiles.begin};
-    const PlannedBeam& beam = plan.beams[group.beam];
-    if (const std::size_t count = group.free.end - group.free.begin; count > 0) {
-      const kernels::Polynomial& free = *beam.fitted->free;
-      const kernels::Run* runs = plan.free.data() + group.free.begin;
-      if (free.terms == 1)
-        kernels.add_constant(row, runs, count, static_cast<std::int16_t>(std::lrint(free.c[0])));
-      else
-        kernels.add_angular(row, runs, count, beam.frame, free);
-    }
-    if (const std::size_t count = group.band.end - group.band.begin; count > 0) {
-      kernels::BandModel band = *beam.fitted->band;
-      band.range_m = beam.range_m;
-      kernels.add_band(row, plan.band.data() + group.band.begin, count, beam.frame, band);
-    }
-    for (std::uint32_t k = group.spots.begin; k < group.spots.end; ++k) {
+    for (std::int32_t ti = group.tiles.begin; ti < group.tiles.end; ++ti)
+      tiles.push_back(grid.find({ti, group.tile_j})->data());
+    if (group.rows.size() > 0) apply_rows(plan, group, {tiles.data(), group.tiles.begin});
+    for (std::size_t k = group.spots.begin; k < group.spots.end; ++k) {
       std::int16_t& cell = grid.at(plan.spots[k].cell);
-      cell = static_cast<std::int16_t>(std::clamp(cell + plan.spots[k].increment, -32767, 32767));
+      cell = static_cast<std::int16_t>(std::clamp(cell + plan.spots[k].increment, lowest, highest));
     }
   }
 }

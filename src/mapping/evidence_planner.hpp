@@ -32,14 +32,14 @@ struct Columns {
 /// What one reading does to one row of tiles: ranges into the plan's lists.
 struct UpdateGroup {
   struct Range {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    [[nodiscard]] std::size_t size() const { return end - begin; }
   };
-  std::uint32_t beam = 0;
+  std::size_t beam = 0;
   std::int32_t tile_j = 0;
   Columns tiles;
-  Range free;
-  Range band;
+  Range rows;
   Range spots;
 };
 
@@ -50,17 +50,27 @@ struct PlannedBeam {
   float range_m = 0.0F;
 };
 
+/// The rows of planned sectors, as parallel arrays. From left to right a row is band, free, too near, free, band; each
+/// part may be empty.
+struct PlannedRows {
+  std::vector<std::int32_t> j, begin, free_begin, near_begin, near_end, free_end, end;
+
+  [[nodiscard]] std::size_t size() const { return j.size(); }
+  void resize(std::size_t count) {
+    for (auto* column : {&j, &begin, &free_begin, &near_begin, &near_end, &free_end, &end}) column->resize(count);
+  }
+};
+
 /// Changes of some readings, in order, worked out but not yet made. Rows of tiles are independent of each other, so
 /// that threads can share a plan by rows and every cell still sees its changes in the order of the readings.
 struct UpdatePlan {
   std::vector<PlannedBeam> beams;
   std::vector<UpdateGroup> groups;
-  std::vector<kernels::Run> free;
-  std::vector<kernels::Run> band;
+  PlannedRows rows;
   std::vector<SpotUpdate> spots;
 
   void clear();
-  [[nodiscard]] std::size_t size() const { return free.size() + band.size() + spots.size(); }
+  [[nodiscard]] std::size_t size() const { return rows.size() + spots.size(); }
 };
 
 /// Where a reading says something: out to `outer_m`, free to `free_to_m`, a band beyond it if there was an echo.
@@ -93,9 +103,12 @@ class EvidenceGrid::Planner {
     FittedBeam fitted;
   };
 
-  void split_row(const RowSpan& span, const BeamReach& reach, const FittedBeam& fitted);
-  void add_runs(std::int32_t j, std::int32_t begin, std::int32_t end, bool band, const BeamReach& reach,
-                const FittedBeam& fitted);
+  /// Groups the spans by rows of tiles and makes those tiles exist; false, and the plan as before, when they cannot.
+  [[nodiscard]] bool add_groups(std::span<const RowSpan> spans, Map& grid);
+  void add_rows(std::span<const RowSpan> spans, const BeamReach& reach);
+  /// The cells of the latest groups that no kernel covers.
+  void add_spots(std::size_t first_group, std::span<const RowSpan> spans, const BeamReach& reach,
+                 const FittedBeam& beam);
 
   EvidenceGridOptions options_;
   SectorRaster raster_;

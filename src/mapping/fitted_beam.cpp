@@ -13,8 +13,8 @@
 namespace echoarc {
 namespace {
 
-// A chain of three fits stays within half a unit of the model: the logit turns an error of 5e-6 of its argument into
-// less than 0.1 unit at the default certainties.
+// Fitted log-odds stay within half a unit of the model, so that rounding makes it one unit at most: the logit turns an
+// error of 5e-6 of each factor into less than 0.1 unit at the default certainties.
 constexpr double log_odds_tolerance_units = 0.3;
 constexpr double factor_tolerance = 5e-6;
 

@@ -68,10 +68,10 @@ struct EvidenceGridOptions {
   }
 };
 
-/// Log-odds of a cell in fixed point: the 16-bit range is the clamp |l| <= 8 of the method, so that saturating
-/// arithmetic clamps at no cost. One unit is 2.4e-4.
+/// Log-odds of a cell in fixed point: the range of 16 bits is the clamp |l| <= 8 of the method, so that saturating
+/// arithmetic clamps at no cost. One unit is 2^-12.
 inline constexpr double log_odds_clamp = 8.0;
-inline constexpr double log_odds_unit = log_odds_clamp / 32767.0;
+inline constexpr double log_odds_unit = log_odds_clamp / 32768.0;
 
 /// The occupancy grid with a Gaussian sonar model, in clamped log-odds: l <- l + ln(p / (1 - p)), |l| <= 8.
 ///

@@ -202,22 +202,30 @@ RC_GTEST_PROP(EvidenceGridProperty, InstructionSetsGiveTheSameBytes, (std::uint6
   RC_ASSERT(beam.free.has_value() && beam.band.has_value());
   beam.band->range_m = float(rng.uniform(0.3, 3.0));
   const kernels::BeamFrame frame{40, -20, 0.003F, -0.002F, 0.01F, float(cos(degrees(30.0))), float(sin(degrees(30.0)))};
-  std::vector<kernels::Run> runs;
-  for (std::int32_t j = 0; j < tile_size; ++j) {
-    const auto begin = std::int32_t(rng.below(150));
-    runs.push_back({j, begin, begin + std::int32_t(rng.below(std::uint64_t(192 - begin))) + 1});
+  std::vector<std::int32_t> j;
+  std::vector<std::int32_t> begin;
+  std::vector<std::int32_t> end;
+  for (std::int32_t row = 0; row < tile_size; ++row) {
+    j.push_back(row);
+    begin.push_back(std::int32_t(rng.below(150)));
+    end.push_back(begin.back() + std::int32_t(rng.below(std::uint64_t(192 - begin.back()))) + 1);
   }
-  std::vector<std::vector<std::int16_t>> results;
+  const kernels::Runs runs{j.data(), begin.data(), end.data(), j.size()};
+  const kernels::SplitShape shape{20.3, 900.0, 100.0, 200.0, -300, 300, 360.7, 239.3};
+  std::vector<std::vector<std::int32_t>> results;
   for (std::size_t s = 0; s < count; ++s) {
     Rng noise(seed);
     std::vector<std::int16_t> cells(std::size_t{3} * 64 * 64);
-    for (std::int16_t& cell : cells) cell = std::int16_t(std::int32_t(noise.below(65535)) - 32767);
+    for (std::int16_t& cell : cells) cell = std::int16_t(std::int32_t(noise.below(65536)) - 32768);
     std::int16_t* tiles[] = {cells.data(), cells.data() + 4096, cells.data() + 8192};
     const kernels::TileRow row{tiles, 0};
-    sets[s]->add_constant(row, runs.data(), runs.size(), std::int16_t(seed % 2 == 0 ? 4000 : -4000));
-    sets[s]->add_angular(row, runs.data(), runs.size(), frame, *beam.free);
-    sets[s]->add_band(row, runs.data(), runs.size(), frame, *beam.band);
-    results.push_back(cells);
+    std::vector<std::int32_t> edges(4 * j.size());
+    sets[s]->split_rows(shape, runs, {&edges[0], &edges[j.size()], &edges[2 * j.size()], &edges[3 * j.size()]});
+    sets[s]->add_constant(row, runs, std::int16_t(seed % 2 == 0 ? 4000 : -4000));
+    sets[s]->add_angular(row, runs, frame, *beam.free);
+    sets[s]->add_band(row, runs, frame, *beam.band);
+    edges.insert(edges.end(), cells.begin(), cells.end());
+    results.push_back(edges);
   }
   for (const auto& result : results) RC_ASSERT(result == results.front());
 }
