@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::int32_t tile_shift = 6;
 constexpr std::int32_t tile_size = 1 << tile_shift;
-constexpr std::int32_t lanes = 16;  // cells handled together; the ends of a run are masked, not peeled
 constexpr std::int32_t highest = 32767;
 constexpr std::int32_t lowest = -32768;
 
@@ -37,11 +36,6 @@ inline std::int32_t round_to_int(float x) {
   return static_cast<std::int32_t>(__builtin_bit_cast(std::uint32_t, x + 12582912.0F) - 0x4b400000U);
 }
 
-inline std::int16_t saturated(std::int32_t sum) {
-  sum = sum > highest ? highest : sum;
-  return static_cast<std::int16_t>(sum < lowest ? lowest : sum);
-}
-
 inline double smaller(double a, double b) {
   return a < b ? a : b;
 }
@@ -60,22 +54,28 @@ inline double half_chord(double radius_squared, double dy, double outside) {
 
 void split_rows(const SplitShape& shape, const Runs& sector, const RowEdges& edges) {
   const SplitShape s = shape;
-  const auto first_from = [&s](double half) { return s.i_above - static_cast<std::int32_t>(s.apex_from_above + half); };
-  const auto first_after = [&s](double half) {
-    return s.i_below + static_cast<std::int32_t>(s.apex_from_below + half) + 1;
-  };
+  const std::int32_t* __restrict j = sector.j;
+  const std::int32_t* __restrict begin = sector.begin;
+  const std::int32_t* __restrict end = sector.end;
   std::int32_t* __restrict free_begin = edges.free_begin;
   std::int32_t* __restrict near_begin = edges.near_begin;
   std::int32_t* __restrict near_end = edges.near_end;
   std::int32_t* __restrict free_end = edges.free_end;
-  for (std::size_t k = 0; k < sector.count; ++k) {
-    const double dy = static_cast<double>(sector.j[k]) - s.apex_j;
+  const auto first_from = [s](double half) { return s.i_above - static_cast<std::int32_t>(s.apex_from_above + half); };
+  const auto first_after = [s](double half) {
+    return s.i_below + static_cast<std::int32_t>(s.apex_from_below + half) + 1;
+  };
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(sector.count); ++k) {
+    const double dy = static_cast<double>(j[k]) - s.apex_j;
     const double free_half = half_chord(s.free_squared, dy, s.outside);
     const double near_half = half_chord(s.near_squared, dy, s.outside);
-    free_begin[k] = clamped(first_from(free_half), sector.begin[k], sector.end[k]);
-    free_end[k] = clamped(first_after(free_half), free_begin[k], sector.end[k]);
-    near_begin[k] = clamped(first_from(near_half), free_begin[k], free_end[k]);
-    near_end[k] = clamped(first_after(near_half), near_begin[k], free_end[k]);
+    const std::int32_t from = clamped(first_from(free_half), begin[k], end[k]);
+    const std::int32_t to = clamped(first_after(free_half), from, end[k]);
+    const std::int32_t near_from = clamped(first_from(near_half), from, to);
+    free_begin[k] = from;
+    near_begin[k] = near_from;
+    near_end[k] = clamped(first_after(near_half), near_from, to);
+    free_end[k] = to;
   }
 }
 
@@ -86,45 +86,67 @@ inline float evaluate(const float* c, float x) {
   return sum;
 }
 
-void add_constant(const TileRow& row, const Runs& runs, std::int16_t increment) {
-  // Clamping before the sum keeps it within 16 bits: sixteen lanes to a 256-bit register. A segment is always handled
-  // as the whole row of its tile: four vectors, and no branch to mispredict.
-  const auto high = static_cast<std::int16_t>(increment > 0 ? highest - increment : highest);
-  const auto low = static_cast<std::int16_t>(increment < 0 ? lowest - increment : lowest);
+/// Which way a kernel can move a cell: saturation then needs looking at on one side only, and fits into 16 bits.
+enum class Sign { falling, rising };
+
+/// value + change, kept within 16 bits without leaving them.
+template <Sign sign>
+inline std::int16_t saturating_sum(std::int16_t value, std::int16_t change) {
+  if constexpr (sign == Sign::falling) {
+    const auto limit = static_cast<std::int16_t>(lowest - change);
+    return static_cast<std::int16_t>((value < limit ? limit : value) + change);
+  } else {
+    const auto limit = static_cast<std::int16_t>(highest - change);
+    return static_cast<std::int16_t>((value > limit ? limit : value) + change);
+  }
+}
+
+template <Sign sign>
+void add_constant_signed(const TileRow& row, const Runs& runs, std::int16_t increment) {
+  // A segment is handled as the whole row of its tile: four vectors of 16 cells, and no branch to mispredict.
   for (std::size_t k = 0; k < runs.count; ++k) {
     for_each_segment(row, runs, k, [&](std::int16_t* cells, std::int32_t, std::int32_t begin, std::int32_t end) {
       const auto first = static_cast<std::int16_t>(begin);
       const auto last = static_cast<std::int16_t>(end);
-#pragma GCC unroll 1
       for (std::int16_t l = 0; l < tile_size; ++l) {
-        const std::int16_t value = cells[l];
-        std::int16_t room = value > high ? high : value;
-        room = room < low ? low : room;
-        const auto sum = static_cast<std::int16_t>(room + increment);
-        cells[l] = (l >= first) & (l < last) ? sum : value;
+        const auto inside = static_cast<std::int16_t>(-((l >= first) & (l < last)));  // all bits, or none
+        cells[l] = saturating_sum<sign>(cells[l], static_cast<std::int16_t>(increment & inside));
       }
     });
   }
 }
 
-/// Adds `increment(dx, dy)` to the cells of the runs, dx and dy in metres from the apex.
-template <class Increment>
+void add_constant(const TileRow& row, const Runs& runs, std::int16_t increment) {
+  if (increment < 0)
+    add_constant_signed<Sign::falling>(row, runs, increment);
+  else
+    add_constant_signed<Sign::rising>(row, runs, increment);
+}
+
+/// Adds `increment(dx, dy)` to the cells of the runs, dx and dy in metres from the apex, `lanes` cells at a time; the
+/// ends of a run are masked, not peeled.
+template <int lanes, Sign sign, class Increment>
 inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& beam, Increment&& increment) {
   for (std::size_t k = 0; k < runs.count; ++k) {
     const float dy = beam.offset_y_m + static_cast<float>(runs.j[k] - beam.apex_j) * beam.cell_m;
     for_each_segment(row, runs, k, [&](std::int16_t* cells, std::int32_t i, std::int32_t begin, std::int32_t end) {
       for (std::int32_t block = begin & ~(lanes - 1); block < end; block += lanes) {
-        const std::int32_t first = i + block - beam.apex_i;
-        const std::int32_t own_begin = begin - block;
-        const std::int32_t own_end = end - block;
+        const std::int32_t first_dx = i + block - beam.apex_i;
+        const auto first = static_cast<std::int16_t>(begin - block);
+        const auto last = static_cast<std::int16_t>(end - block);
         std::int16_t* own = cells + block;
-#pragma GCC unroll 1  // unrolled early, the loop would be out of reach of the vectoriser
+        // Two loops, so that each is vectorised at the full width of its type. Unrolled early, they would be out of
+        // reach of the vectoriser.
+        std::int32_t change[lanes];
+#pragma GCC unroll 1
         for (std::int32_t l = 0; l < lanes; ++l) {
-          const float dx = beam.offset_x_m + static_cast<float>(first + l) * beam.cell_m;
-          const std::int32_t change = round_to_int(increment(dx, dy));
-          const std::int32_t inside =
-              -static_cast<std::int32_t>((l >= own_begin) & (l < own_end));  // all bits, or none
-          own[l] = saturated(own[l] + (change & inside));
+          const float dx = beam.offset_x_m + static_cast<float>(first_dx + l) * beam.cell_m;
+          change[l] = round_to_int(increment(dx, dy));
+        }
+#pragma GCC unroll 1
+        for (std::int16_t l = 0; l < lanes; ++l) {
+          const auto inside = static_cast<std::int16_t>(-((l >= first) & (l < last)));  // all bits, or none
+          own[l] = saturating_sum<sign>(own[l], static_cast<std::int16_t>(change[l] & inside));
         }
       }
     });
@@ -135,7 +157,7 @@ template <int terms>
 void add_angular_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const float* c) {
   float own[terms];
   for (int k = 0; k < terms; ++k) own[k] = c[k];
-  add_cells(row, runs, beam, [&](float dx, float dy) {
+  add_cells<16, Sign::falling>(row, runs, beam, [&](float dx, float dy) {
     const float across = beam.axis_x * dy - beam.axis_y * dx;
     return evaluate<terms>(own, across * across / (dx * dx + dy * dy));  // of sin^2 theta
   });
@@ -155,7 +177,7 @@ void add_angular(const TileRow& row, const Runs& runs, const BeamFrame& beam, co
 template <int angular_terms, int terms>
 void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
   const BandModel own = band;
-  add_cells(row, runs, beam, [&](float dx, float dy) {
+  add_cells<8, Sign::rising>(row, runs, beam, [&](float dx, float dy) {
     const float squared = dx * dx + dy * dy;
     const float across = beam.axis_x * dy - beam.axis_y * dx;
     const float error = __builtin_sqrtf(squared) - own.range_m;
