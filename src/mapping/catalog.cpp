@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "echoarc/mapping/catalog.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "echoarc/mapping/bayes_update.hpp"
+#include "echoarc/mapping/centerline.hpp"
+#include "echoarc/mapping/directional_maximum.hpp"
+#include "echoarc/mapping/evidence_grid.hpp"
+#include "echoarc/mapping/voting.hpp"
+
+namespace echoarc {
+namespace {
+
+template <MappingMethod M>
+Result<AnyMethod> make(const OptionMap& values) {
+  auto options = make_options<typename M::Options>(values);
+  if (!options) return options.error();
+  return AnyMethod(M(*options));
+}
+
+template <MappingMethod M>
+Result<AnyMethod> restore(std::span<const std::byte> bytes) {
+  auto method = M::restore(bytes);
+  if (!method) return method.error();
+  return AnyMethod(std::move(*method));
+}
+
+template <MappingMethod M>
+constexpr MethodEntry entry(std::string_view title, std::string_view summary, std::string_view source) {
+  return {M::name, title, summary, source, option_specs<typename M::Options>, make<M>, restore<M>};
+}
+
+constexpr std::array methods{
+    entry<Centerline>("Point marking (centerline)",
+                      "One point per echo, in the middle of its arc: the baseline, fast and crude.",
+                      "[Barshan07] 3.1; [Silver04] 2.A; [Choset03] II-A"),
+    entry<Voting>("Voting and thresholding", "Counts the arcs through each cell and keeps cells with enough of them.",
+                  "[Barshan07] 3.2"),
+    entry<DirectionalMaximum>(
+        "Directional maximum",
+        "Of the arc counts along each direction of interest keeps the largest: thin walls from many arcs.",
+        "[Barshan07] 3.3"),
+    entry<BayesUpdate>("Bayesian update (as published)",
+                       "Two evidences per cell that only grow; what was once free cannot become occupied again.",
+                       "[Barshan07] 3.5, after Elfes 1987"),
+    entry<EvidenceGrid>("Evidence grid",
+                        "Occupancy in clamped log-odds from a sonar model; cells recover, silence clears.",
+                        "[Choset03] II-A, II-B; [Silver04] 2.B"),
+};
+
+}  // namespace
+
+std::span<const MethodEntry> catalog() {
+  return methods;
+}
+
+const MethodEntry* find_method(std::string_view name) {
+  const auto found = std::ranges::find(methods, name, &MethodEntry::name);
+  return found != methods.end() ? &*found : nullptr;
+}
+
+Result<AnyMethod> make_method(std::string_view name, const OptionMap& options) {
+  if (const MethodEntry* found = find_method(name)) return found->make(options);
+  std::string names;
+  for (const MethodEntry& method : methods) names += (names.empty() ? "" : ", ") + std::string(method.name);
+  return Error{ErrorCode::bad_value, "there is no method " + std::string(name), std::string(name),
+               "use one of " + names};
+}
+
+}  // namespace echoarc
