@@ -7,16 +7,14 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "echoarc/eval/correct_detection.hpp"
-#include "echoarc/eval/mean_absolute_error.hpp"
 #include "points.hpp"
 #include "support/v53_scene.hpp"
+#include "support/v53_scores.hpp"
 
 namespace echoarc {
 namespace {
@@ -69,23 +67,11 @@ std::vector<Cell> centerline() {
   return cells;
 }
 
-void expect_row(const char* method, const std::vector<Cell>& cells, std::size_t pixels, double mae_cm, double cdr_full,
-                double cdr_empty, double cdr_overall) {
+PointSet centres(const std::vector<Cell>& cells) {
   const GridGeometry geometry = test::v53_geometry();
-  std::vector<Vec2> centres;
-  for (const Cell cell : cells) centres.push_back(geometry.centre(cell));
-  const PointSet map = test::point_set(centres, geometry.cell_m);
-  const Reference reference = test::reference_of(test::v53_reference());
-  const DirectionSet columns = column_directions(geometry, test::v53_region().i_end, test::v53_region().j_end);
-  const auto score = correct_detection(map, reference, columns);
-  ASSERT_TRUE(score);
-  EXPECT_EQ(map.size(), pixels) << method;
-  EXPECT_EQ(score->full, 53U);
-  EXPECT_EQ(score->empty, 68U);
-  EXPECT_NEAR(100.0 * mean_absolute_error_m(map, reference), mae_cm, std::max(1e-4 * mae_cm, 0.5e-4)) << method;
-  EXPECT_NEAR(score->full_ratio(), cdr_full, 1e-4) << method;
-  EXPECT_NEAR(score->empty_ratio(), cdr_empty, 1e-4) << method;
-  EXPECT_NEAR(score->overall_ratio(), cdr_overall, 1e-4) << method;
+  std::vector<Vec2> points;
+  for (const Cell cell : cells) points.push_back(geometry.centre(cell));
+  return test::point_set(points, geometry.cell_m);
 }
 
 TEST(WorkedIntegration, TheArcMapIsAsStated) {
@@ -107,13 +93,13 @@ TEST(WorkedIntegration, TheArcMapIsAsStated) {
 
 TEST(WorkedIntegration, ScoresOfEveryMethod) {
   const Counts counts = arc_map();
-  expect_row("PM", centerline(), 11, 0.1000, 0.2075, 1.0000, 0.6529);
-  expect_row("VT1", voted(counts, 1), 251, 4.0048, 1.0000, 0.3824, 0.6529);
-  expect_row("DM1", directional_maximum(counts, 1), 95, 4.9956, 1.0000, 0.3824, 0.6529);
-  expect_row("VT2", voted(counts, 2), 151, 1.8726, 1.0000, 0.7059, 0.8347);
-  expect_row("DM2", directional_maximum(counts, 2), 73, 1.9735, 1.0000, 0.7059, 0.8347);
-  expect_row("VT4", voted(counts, 4), 46, 0.1984, 0.7736, 1.0000, 0.9008);
-  expect_row("DM4", directional_maximum(counts, 4), 41, 0.1000, 0.7736, 1.0000, 0.9008);
+  test::expect_v53_scores(centres(centerline()), test::v53_pm);
+  test::expect_v53_scores(centres(voted(counts, 1)), test::v53_vt1);
+  test::expect_v53_scores(centres(voted(counts, 2)), test::v53_vt2);
+  test::expect_v53_scores(centres(voted(counts, 4)), test::v53_vt4);
+  test::expect_v53_scores(centres(directional_maximum(counts, 1)), test::v53_dm1);
+  test::expect_v53_scores(centres(directional_maximum(counts, 2)), test::v53_dm2);
+  test::expect_v53_scores(centres(directional_maximum(counts, 4)), test::v53_dm4);
 }
 
 }  // namespace
