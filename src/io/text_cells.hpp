@@ -50,7 +50,7 @@ inline void split_cells(std::string_view text, char delimiter, std::size_t max_c
   while (cells.size() < max_cells) {
     const std::size_t end = std::min(text.find(delimiter), text.size());
     std::string_view cell = trimmed(text.substr(0, end));
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
     cells.push_back(cell);
     if (end == text.size()) return;
     text.remove_prefix(end + 1);
