@@ -21,7 +21,7 @@ OPENS = (r"\b[io]?fstream\b|\bfopen\s*\(|\bfilesystem\b", "opens files")
 CLOCK = (r"\b(?:system|steady|high_resolution)_clock\b|\bclock_gettime\b|\bgettimeofday\b"
          r"|\bstd::(?:time|clock)\s*\(|<ctime>", "reads a clock")
 RANDOM = (r"\brandom_device\b|\b(?:std::)?s?rand\s*\(|\bmt19937", "draws from a generator it was not given")
-THREADS = (r"\bstd::(?:j?thread|async)\b|\bpthread_create\b", "starts a thread")
+THREADS = (r"\bstd::(?:j?thread|async)\b(?!::)|\bpthread_create\b", "starts a thread")
 
 FORBIDDEN = {part: [PRINTS, ENDS, OPENS, CLOCK, RANDOM, THREADS] for part in COMPUTING_PARTS}
 FORBIDDEN["io"] = [PRINTS, ENDS, CLOCK, RANDOM, THREADS]
