@@ -21,9 +21,10 @@ constexpr std::int32_t lowest = -32768;
 /// `i` is its first column, and the cells begin <= l < end of it belong to the run.
 template <class Segment>
 inline void for_each_segment(const TileRow& row, const Runs& runs, std::size_t k, Segment&& segment) {
-  const std::int32_t row_offset = (runs.j[k] & (tile_size - 1)) * tile_size;
   const std::int32_t run_begin = runs.begin[k];
   const std::int32_t run_end = runs.end[k];
+  if (run_end <= run_begin) return;
+  const std::int32_t row_offset = (runs.j[k] & (tile_size - 1)) * tile_size;
   for (std::int32_t i = run_begin & ~(tile_size - 1); i < run_end; i += tile_size) {
     std::int16_t* tile = row.tiles[(i >> tile_shift) - row.first_column];
     segment(tile + row_offset, i, run_begin > i ? run_begin - i : 0, run_end - i < tile_size ? run_end - i : tile_size);
@@ -79,12 +80,22 @@ void split_rows(const SplitShape& shape, const Runs& sector, const RowEdges& edg
   }
 }
 
-template <int terms>
-inline float evaluate(const float* c, float x) {
-  float sum = c[terms - 1];
-  for (int k = terms - 2; k >= 0; --k) sum = sum * x + c[k];
-  return sum;
-}
+/// A polynomial with every coefficient repeated for each lane. Loaded like any other array, the coefficients need
+/// neither registers across the loops nor broadcasts inside them.
+template <int terms, int lanes>
+struct SpreadPolynomial {
+  alignas(32) float c[terms][lanes];
+
+  explicit SpreadPolynomial(const Polynomial& polynomial) {
+    for (int k = 0; k < terms; ++k)
+      for (int l = 0; l < lanes; ++l) c[k][l] = polynomial.c[k];
+  }
+  [[nodiscard]] float at(float x, std::int32_t l) const {
+    float sum = c[terms - 1][l];
+    for (int k = terms - 2; k >= 0; --k) sum = sum * x + c[k][l];
+    return sum;
+  }
+};
 
 /// Which way a kernel can move a cell: saturation then needs looking at on one side only, and fits into 16 bits.
 enum class Sign { falling, rising };
@@ -126,7 +137,8 @@ void add_constant(const TileRow& row, const Runs& runs, std::int16_t increment) 
 /// Adds `increment(dx, dy)` to the cells of the runs, dx and dy in metres from the apex, `lanes` cells at a time; the
 /// ends of a run are masked, not peeled.
 template <int lanes, Sign sign, class Increment>
-inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& beam, Increment&& increment) {
+inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& frame, Increment&& increment) {
+  const BeamFrame beam = frame;
   for (std::size_t k = 0; k < runs.count; ++k) {
     const float dy = beam.offset_y_m + static_cast<float>(runs.j[k] - beam.apex_j) * beam.cell_m;
     for_each_segment(row, runs, k, [&](std::int16_t* cells, std::int32_t i, std::int32_t begin, std::int32_t end) {
@@ -141,7 +153,7 @@ inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& bea
 #pragma GCC unroll 1
         for (std::int32_t l = 0; l < lanes; ++l) {
           const float dx = beam.offset_x_m + static_cast<float>(first_dx + l) * beam.cell_m;
-          change[l] = round_to_int(increment(dx, dy));
+          change[l] = round_to_int(increment(dx, dy, l));
         }
 #pragma GCC unroll 1
         for (std::int16_t l = 0; l < lanes; ++l) {
@@ -154,37 +166,41 @@ inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& bea
 }
 
 template <int terms>
-void add_angular_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const float* c) {
-  float own[terms];
-  for (int k = 0; k < terms; ++k) own[k] = c[k];
-  add_cells<16, Sign::falling>(row, runs, beam, [&](float dx, float dy) {
-    const float across = beam.axis_x * dy - beam.axis_y * dx;
-    return evaluate<terms>(own, across * across / (dx * dx + dy * dy));  // of sin^2 theta
-  });
+void add_angular_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment) {
+  constexpr int lanes = 16;
+  const SpreadPolynomial<terms, lanes> of_sine_squared(increment);
+  add_cells<lanes, Sign::falling>(row, runs, beam,
+                                  [&, ax = beam.axis_x, ay = beam.axis_y](float dx, float dy, std::int32_t l) {
+                                    const float across = ax * dy - ay * dx;
+                                    return of_sine_squared.at(across * across / (dx * dx + dy * dy), l);
+                                  });
 }
 
 void add_angular(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment) {
   if (increment.terms <= 4)
-    add_angular_terms<4>(row, runs, beam, increment.c);
+    add_angular_terms<4>(row, runs, beam, increment);
   else if (increment.terms <= 6)
-    add_angular_terms<6>(row, runs, beam, increment.c);
+    add_angular_terms<6>(row, runs, beam, increment);
   else if (increment.terms <= 8)
-    add_angular_terms<8>(row, runs, beam, increment.c);
+    add_angular_terms<8>(row, runs, beam, increment);
   else
-    add_angular_terms<max_terms>(row, runs, beam, increment.c);
+    add_angular_terms<max_terms>(row, runs, beam, increment);
 }
 
 template <int angular_terms, int terms>
 void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
-  const BandModel own = band;
-  add_cells<8, Sign::rising>(row, runs, beam, [&](float dx, float dy) {
-    const float squared = dx * dx + dy * dy;
-    const float across = beam.axis_x * dy - beam.axis_y * dx;
-    const float error = __builtin_sqrtf(squared) - own.range_m;
-    const float height = evaluate<angular_terms>(own.angular.c, across * across / squared) *
-                         evaluate<terms>(own.radial.c, error * error);
-    return evaluate<terms>(own.logit.c, height);
-  });
+  constexpr int lanes = 8;  // the band is a few cells deep
+  const SpreadPolynomial<angular_terms, lanes> angular(band.angular);
+  const SpreadPolynomial<terms, lanes> radial(band.radial);
+  const SpreadPolynomial<terms, lanes> logit(band.logit);
+  const float range_m = band.range_m;
+  add_cells<lanes, Sign::rising>(
+      row, runs, beam, [&, ax = beam.axis_x, ay = beam.axis_y](float dx, float dy, std::int32_t l) {
+        const float squared = dx * dx + dy * dy;
+        const float across = ax * dy - ay * dx;
+        const float error = __builtin_sqrtf(squared) - range_m;
+        return logit.at(angular.at(across * across / squared, l) * radial.at(error * error, l), l);
+      });
 }
 
 void add_band(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
