@@ -52,7 +52,7 @@ inline std::vector<Reading> wall_drive(Rng& rng, int stops) {
       reading.scan = std::uint32_t(stop);
       reading.time_s = 0.1 * stop + 0.01 * k;
       reading.tx = reading.rx = SensorId(k + 2);
-      reading.T_world_robot = {{0.0231 * stop, 0.0117}, Angle{}};
+      reading.T_world_robot = {{0.0067 + 0.0231 * stop, 0.0117}, Angle{}};
       const Angle yaw = degrees(90.0 + 22.5 * k);
       reading.T_world_tx = reading.T_world_rx = reading.T_world_robot * Pose2{0.23 * unit(yaw), yaw};
       const double distance_m = wall_y_m - reading.T_world_tx.position.y;

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "laws/method_laws.hpp"
+
+#include "echoarc/mapping/bayes_update.hpp"
+#include "echoarc/mapping/centerline.hpp"
+#include "echoarc/mapping/directional_maximum.hpp"
+#include "echoarc/mapping/evidence_grid.hpp"
+#include "echoarc/mapping/voting.hpp"
+
+namespace echoarc::laws {
+
+template <>
+struct LawException<BayesUpdate> {
+  static constexpr std::string_view cannot_recover =
+      "[Barshan07] eqs. 7 and 8 only ever raise p_E and p_O: a cell that many echoes have passed keeps p_E = 1, and "
+      "p_O = 1 lifts its value to 1/2 at most";
+};
+
+namespace {
+
+ECHOARC_METHOD_LAWS(Centerline);
+ECHOARC_METHOD_LAWS(Voting);
+ECHOARC_METHOD_LAWS(DirectionalMaximum);
+ECHOARC_METHOD_LAWS(BayesUpdate);
+ECHOARC_METHOD_LAWS(EvidenceGrid);
+
+/// `axis` is left out: its direction is fixed in the world.
+TEST(DirectionalMaximumLaws, EveryDirectionOfInterestMovesWithTheWorld) {
+  using D = DirectionOfInterest;
+  for (const D doi : {D::los, D::path_normal, D::followed_wall, D::pca, D::polar}) {
+    DirectionalMaximumOptions options = law_options<DirectionalMaximum>();
+    options.threshold = 2;
+    options.doi = doi;
+    options.polar_step = degrees(1.0);
+    options.polar_spacing_m = 0.2;
+    SCOPED_TRACE(int(doi));
+    Rng rng(9);
+    expect_equivariant<DirectionalMaximum>(options, test::wall_drive(rng, 20));
+  }
+}
+
+}  // namespace
+}  // namespace echoarc::laws
