@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The echoarc authors
 # SPDX-License-Identifier: Apache-2.0
 
-# echoarc_kernels(TARGET SOURCE)
-# Compiles SOURCE into TARGET once per instruction set, with ECHOARC_ISA set to its name; the program picks one at run time.
+# echoarc_kernels(TARGET SOURCE...)
+# Compiles the sources into TARGET once per instruction set, with ECHOARC_ISA set to its name; the program picks one at run time.
 # What is shipped stays runnable on any machine of its architecture: nothing is built with -march=native.
-function(echoarc_kernels target source)
+function(echoarc_kernels target)
   set(sets plain)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     list(APPEND sets avx2)
@@ -12,7 +12,7 @@ function(echoarc_kernels target source)
   endif()
   foreach(isa IN LISTS sets)
     set(kernels ${target}_kernels_${isa})
-    add_library(${kernels} OBJECT ${source})
+    add_library(${kernels} OBJECT ${ARGN})
     set_target_properties(${kernels} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_include_directories(${kernels} PRIVATE ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(${kernels} PRIVATE echoarc_build_flags)

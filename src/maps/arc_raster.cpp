@@ -4,15 +4,13 @@
 #include "echoarc/maps/arc_raster.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
+#include "maps/raster_kernels.hpp"
+
 namespace echoarc {
 namespace {
-
-/// Sample positions are computed this many at a time, each block from the last by one rotation.
-constexpr std::size_t block = 8;
 
 /// An arc of at least this radius that leaves a cell and returns has bulged over one of its sides by less than 1/64
 /// cell, so it has met one neighbour in between; tighter arcs may meet more.
@@ -50,68 +48,73 @@ std::size_t sample_count(const Arc& arc, double cell_m) {
   return std::max<std::size_t>(2, std::size_t(steps) + 1);
 }
 
-/// cos and sin of `count` equally spaced angles, `count` a multiple of `block`. Rotating block by block is exact to
-/// 1e-14 over 10^4 samples and needs two calls of the library's sine instead of one per sample.
-void equally_spaced_directions(Angle first, Angle step, std::size_t count, double* xs, double* ys) {
-  std::array<double, block> lane_x{};
-  std::array<double, block> lane_y{};
+kernels::ArcShape shape_of(const Arc& arc, const GridGeometry& geometry, Angle step) {
+  const double per_cell = 1.0 / geometry.cell_m;
+  kernels::ArcShape shape{};
+  shape.circular = arc.is_circular();
+  shape.semi_major = arc.range_m() * per_cell;
+  shape.semi_minor = arc.semi_minor_m() * per_cell;
+  shape.focal_x = arc.focal_axis().x;
+  shape.focal_y = arc.focal_axis().y;
+
+  // Turning block by block is exact to 1e-14 over 10^4 samples and needs two sines instead of one per sample.
+  const Vec2 first = unit(arc.axis() + arc.t_begin());
   const Vec2 turn = unit(step);
   Vec2 lane{1.0, 0.0};
-  for (std::size_t l = 0; l < block; ++l) {
-    lane_x[l] = lane.x;
-    lane_y[l] = lane.y;
+  for (std::size_t l = 0; l < kernels::arc_lanes; ++l) {
+    shape.lane_x[l] = lane.x;
+    shape.lane_y[l] = lane.y;
     lane = {lane.x * turn.x - lane.y * turn.y, lane.x * turn.y + lane.y * turn.x};
   }
-  const Vec2 block_turn = lane;
-  Vec2 base = unit(first);
-  for (std::size_t k = 0; k < count; k += block) {
-    for (std::size_t l = 0; l < block; ++l) {
-      xs[k + l] = base.x * lane_x[l] - base.y * lane_y[l];
-      ys[k + l] = base.x * lane_y[l] + base.y * lane_x[l];
-    }
-    base = {base.x * block_turn.x - base.y * block_turn.y, base.x * block_turn.y + base.y * block_turn.x};
-  }
+  shape.first_x = first.x;
+  shape.first_y = first.y;
+  shape.turn_x = lane.x;
+  shape.turn_y = lane.y;
+
+  const Vec2 centre = (arc.centre() - geometry.origin) * per_cell;
+  const double i_base = std::floor(centre.x - shape.semi_major) - 1.0;
+  const double j_base = std::floor(centre.y - shape.semi_major) - 1.0;
+  shape.centre_x = centre.x - i_base;
+  shape.centre_y = centre.y - j_base;
+  shape.i_base = std::int32_t(i_base);
+  shape.j_base = std::int32_t(j_base);
+  return shape;
 }
 
-/// Unit bearings from the centre become offsets on the ellipse, in metres.
-void stretch_to_ellipse(const Arc& arc, std::size_t count, double* xs, double* ys) {
-  const double a = arc.range_m();
-  const double b = arc.semi_minor_m();
-  const Vec2 f = arc.focal_axis();
-  for (std::size_t k = 0; k < count; ++k) {
-    const double along = b * (xs[k] * f.x + ys[k] * f.y);
-    const double across = a * (f.x * ys[k] - f.y * xs[k]);
-    const double radius = a * b / std::sqrt(along * along + across * across);
-    xs[k] *= radius;
-    ys[k] *= radius;
-  }
+Cell unpacked(std::uint64_t cell) {
+  return {static_cast<std::int32_t>(cell & 0xffffffffU), static_cast<std::int32_t>(cell >> 32)};
 }
 
-std::span<const Cell> sampled_cells(const Arc& arc, const GridGeometry& geometry, std::vector<double>& scratch,
+/// The distinct cells of the samples of a wide arc, in two passes without a branch or a look back at what was just
+/// written: samples that stay in their cell go first, returns to the cell before the last second.
+std::span<const Cell> distinct_cells(std::span<std::uint64_t> samples, std::vector<Cell>& cells) {
+  std::size_t entered = 1;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const std::uint64_t cell = samples[k];
+    const std::size_t fresh = cell != samples[k - 1] ? 1 : 0;
+    samples[entered] = cell;  // entered <= k: never ahead of what is still to be read
+    entered += fresh;
+  }
+  if (cells.size() < entered) cells.resize(entered);
+  std::size_t size = 0;
+  for (std::size_t k = 0; k < entered; ++k) {
+    cells[size] = unpacked(samples[k]);
+    size += k < 2 || samples[k] != samples[k - 2] ? 1 : 0;
+  }
+  return std::span<const Cell>(cells).first(size);
+}
+
+std::span<const Cell> sampled_cells(const Arc& arc, const GridGeometry& geometry, std::vector<std::uint64_t>& samples,
                                     std::vector<Cell>& cells) {
   const std::size_t count = sample_count(arc, geometry.cell_m);
-  const std::size_t padded = (count + block - 1) / block * block;
-  scratch.resize(2 * padded);
-  double* const xs = scratch.data();
-  double* const ys = xs + padded;
-  const Angle step = (arc.t_end() - arc.t_begin()) / double(count - 1);
-  equally_spaced_directions(arc.axis() + arc.t_begin(), step, padded, xs, ys);
-  if (!arc.is_circular()) stretch_to_ellipse(arc, count, xs, ys);
-
-  // Counted from a cell below and left of the arc all coordinates are positive, and truncation is floor.
-  const double per_cell = 1.0 / geometry.cell_m;
-  const double radius_cells = arc.range_m() * per_cell;
-  const double scale = arc.is_circular() ? radius_cells : per_cell;
-  const double x_cells = (arc.centre().x - geometry.origin.x) * per_cell;
-  const double y_cells = (arc.centre().y - geometry.origin.y) * per_cell;
-  const double i_base = std::floor(x_cells - radius_cells) - 1.0;
-  const double j_base = std::floor(y_cells - radius_cells) - 1.0;
-  const double x_offset = x_cells - i_base;
-  const double y_offset = y_cells - j_base;
-  DistinctCells distinct(cells, count, radius_cells < tight_radius_cells);
-  for (std::size_t k = 0; k < count; ++k)
-    distinct.add({std::int32_t(i_base) + std::int32_t(x_offset + scale * xs[k]),
-                  std::int32_t(j_base) + std::int32_t(y_offset + scale * ys[k])});
+  const std::size_t padded = (count + kernels::arc_lanes - 1) / kernels::arc_lanes * kernels::arc_lanes;
+  if (samples.size() < padded) samples.resize(padded);
+  const kernels::ArcShape shape = shape_of(arc, geometry, (arc.t_end() - arc.t_begin()) / double(count - 1));
+  kernels::raster_kernels().arc_samples(shape, padded, samples.data());
+  const auto taken = std::span(samples).first(count);
+  if (shape.semi_major >= tight_radius_cells) return distinct_cells(taken, cells);
+  DistinctCells distinct(cells, count, true);
+  for (const std::uint64_t cell : taken) distinct.add(unpacked(cell));
   return distinct.get();
 }
 
@@ -153,8 +156,8 @@ std::span<const Cell> exact_cells(const Arc& arc, const GridGeometry& geometry, 
 }  // namespace
 
 std::span<const Cell> ArcRaster::cells(const Arc& arc) {
-  return sampling_ == ArcSampling::sampled ? sampled_cells(arc, geometry_, scratch_, cells_)
-                                           : exact_cells(arc, geometry_, scratch_, cells_);
+  return sampling_ == ArcSampling::sampled ? sampled_cells(arc, geometry_, samples_, cells_)
+                                           : exact_cells(arc, geometry_, crossings_, cells_);
 }
 
 }  // namespace echoarc

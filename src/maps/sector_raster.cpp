@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "maps/sector_rows.hpp"
+#include "maps/raster_kernels.hpp"
 
 namespace echoarc {
 namespace {
@@ -118,7 +118,7 @@ std::span<const RowSpan> SectorRaster::spans(const Arc& rim) {
   }
   std::int32_t* const i_begin = columns_.data();
   std::int32_t* const i_end = i_begin + rows;
-  kernels::sector_row_kernels().columns(sector.shape, sector.j_first, rows, i_begin, i_end);
+  kernels::raster_kernels().sector_rows(sector.shape, sector.j_first, rows, i_begin, i_end);
 
   // The closed wedge begins in the apex; a cell centred there has no bearing and is no cell of the sector.
   const double apex_row = sector.shape.apex_j - sector.j_first;

@@ -4,10 +4,7 @@
 // Compiled once per instruction set with ECHOARC_ISA set to its name. A plain loop that compilers turn into vector
 // code; every operation is exact or correctly rounded in all instruction sets, so that all give the same columns.
 
-#include "maps/sector_rows.hpp"
-
-#define ECHOARC_TEXT_OF(x) #x
-#define ECHOARC_TEXT(x) ECHOARC_TEXT_OF(x)
+#include "maps/raster_kernels.hpp"
 
 namespace echoarc::kernels::ECHOARC_ISA {
 namespace {
@@ -19,8 +16,10 @@ inline double smaller(double a, double b) {
   return a < b ? a : b;
 }
 
-void columns(const SectorShape& shape, std::int32_t j_first, std::size_t count, std::int32_t* __restrict i_begin,
-             std::int32_t* __restrict i_end) {
+}  // namespace
+
+void sector_rows(const SectorShape& shape, std::int32_t j_first, std::size_t count, std::int32_t* __restrict i_begin,
+                 std::int32_t* __restrict i_end) {
   const SectorShape s = shape;
   for (std::int32_t k = 0; k < static_cast<std::int32_t>(count); ++k) {
     const double dy = static_cast<double>(j_first + k) - s.apex_j;
@@ -36,10 +35,5 @@ void columns(const SectorShape& shape, std::int32_t j_first, std::size_t count, 
     i_end[k] = s.i_below + static_cast<std::int32_t>(s.apex_from_below + high) + 1;
   }
 }
-
-}  // namespace
-
-extern const SectorRowKernels sector_rows;
-const SectorRowKernels sector_rows{ECHOARC_TEXT(ECHOARC_ISA), columns};
 
 }  // namespace echoarc::kernels::ECHOARC_ISA

@@ -33,7 +33,8 @@ class ArcRaster {
   GridGeometry geometry_;
   ArcSampling sampling_;
   std::vector<Cell> cells_;
-  std::vector<double> scratch_;
+  std::vector<std::uint64_t> samples_;
+  std::vector<double> crossings_;
 };
 
 }  // namespace echoarc

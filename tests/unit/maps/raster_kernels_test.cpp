@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "maps/sector_rows.hpp"
+#include "maps/raster_kernels.hpp"
 
 #include <cmath>
 #include <vector>
@@ -13,9 +13,9 @@
 namespace echoarc::kernels {
 namespace {
 
-std::vector<const SectorRowKernels*> all_kernels() {
-  std::vector<const SectorRowKernels*> list(8);
-  list.resize(available_sector_row_kernels(list.data(), list.size()));
+std::vector<const RasterKernels*> all_kernels() {
+  std::vector<const RasterKernels*> list(8);
+  list.resize(available_raster_kernels(list.data(), list.size()));
   return list;
 }
 
@@ -25,9 +25,9 @@ struct Columns {
   friend bool operator==(const Columns&, const Columns&) = default;
 };
 
-Columns columns(const SectorRowKernels& kernels, const SectorShape& shape, std::int32_t j_first, std::size_t count) {
+Columns columns(const RasterKernels& kernels, const SectorShape& shape, std::int32_t j_first, std::size_t count) {
   Columns c{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
-  kernels.columns(shape, j_first, count, c.begin.data(), c.end.data());
+  kernels.sector_rows(shape, j_first, count, c.begin.data(), c.end.data());
   return c;
 }
 
@@ -85,6 +85,61 @@ TEST(SectorRows, SameColumnsFromEveryInstructionSet) {
     const Columns first = columns(*list.front(), shape, j_first, std::size_t(2 * radius));
     for (const auto* kernels : list)
       ASSERT_EQ(columns(*kernels, shape, j_first, std::size_t(2 * radius)), first) << kernels->instruction_set;
+  }
+}
+
+std::vector<std::uint64_t> samples(const RasterKernels& kernels, const ArcShape& shape, std::size_t count) {
+  std::vector<std::uint64_t> cells(count);
+  kernels.arc_samples(shape, count, cells.data());
+  return cells;
+}
+
+/// Samples `step` apart from the bearing `first` on.
+ArcShape ellipse(double first, double step, double semi_major, double semi_minor, double focal) {
+  ArcShape s{};
+  s.first_x = std::cos(first);
+  s.first_y = std::sin(first);
+  for (std::size_t l = 0; l < arc_lanes; ++l) {
+    s.lane_x[l] = std::cos(double(l) * step);
+    s.lane_y[l] = std::sin(double(l) * step);
+  }
+  s.turn_x = std::cos(double(arc_lanes) * step);
+  s.turn_y = std::sin(double(arc_lanes) * step);
+  s.centre_x = s.centre_y = semi_major + 2.25;
+  s.semi_major = semi_major;
+  s.semi_minor = semi_minor;
+  s.focal_x = std::cos(focal);
+  s.focal_y = std::sin(focal);
+  s.i_base = -7;
+  s.j_base = 11;
+  s.circular = semi_major == semi_minor;
+  return s;
+}
+
+TEST(ArcSamples, QuarterTurns) {
+  const double quarter = std::acos(0.0);
+  const ArcShape shape = ellipse(0.0, quarter, 5.5, 5.5, 0.0);  // about (7.75, 7.75) from cell (-7, 11)
+  for (const auto* kernels : all_kernels()) {
+    std::vector<std::pair<int, int>> cells;
+    for (const std::uint64_t cell : samples(*kernels, shape, 8))
+      cells.emplace_back(int(cell & 0xffffffffU), cell >> 32);
+    const std::vector<std::pair<int, int>> turn{{6, 18}, {0, 24}, {-5, 18}, {0, 13}};
+    EXPECT_EQ(std::vector(cells.begin(), cells.begin() + 4), turn) << kernels->instruction_set;
+    EXPECT_EQ(std::vector(cells.begin() + 4, cells.end()), turn) << kernels->instruction_set;
+  }
+}
+
+TEST(ArcSamples, SameCellsFromEveryInstructionSet) {
+  const auto list = all_kernels();
+  Rng rng(7);
+  for (int k = 0; k < 2000; ++k) {
+    const double semi_major = rng.uniform(2.0, 800.0);
+    const double semi_minor = k % 2 == 0 ? semi_major : rng.uniform(0.2, 1.0) * semi_major;
+    const ArcShape shape =
+        ellipse(rng.uniform(-3.0, 3.0), 0.5 / semi_major, semi_major, semi_minor, rng.uniform(-3.0, 3.0));
+    const std::size_t count = arc_lanes * (1 + rng.below(40));
+    const std::vector<std::uint64_t> first = samples(*list.front(), shape, count);
+    for (const auto* kernels : list) ASSERT_EQ(samples(*kernels, shape, count), first) << kernels->instruction_set;
   }
 }
 

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+// The inner loops of `SectorRaster` and `ArcRaster`, compiled once per instruction set (cmake/EchoarcKernels.cmake).
+// This header and the kernel sources include nothing that holds inline functions: two copies of one, compiled with
+// different flags, must never meet in the linker.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace echoarc::kernels {
+
+/// A sector in units of cells, cell centres at whole numbers, dx and dy counted from the apex. In the row at dy
+///
+///     the rim admits    |dx - shear dy| <= sqrt(half_squared - narrowing dy^2),
+///     the edges admit   low_offset[k] + low_slope[k] dy <= dx <= high_offset[k] + high_slope[k] dy,
+///
+/// where an edge that does not bound one side has the slope 0 there and an offset outside the rim.
+struct SectorShape {
+  double apex_j;
+  double half_squared;
+  double narrowing;
+  double shear;
+  double low_slope[2];
+  double low_offset[2];
+  double high_slope[2];
+  double high_offset[2];
+  double outside;          ///< no cell of the sector is as far from the apex, in columns
+  std::int32_t i_below;    ///< a column left of all of them; columns are counted from it, so that truncation is floor
+  std::int32_t i_above;    ///< a column right of all of them; counted down from it, truncation is ceil
+  double apex_from_below;  ///< apex_i - i_below
+  double apex_from_above;  ///< i_above - apex_i
+};
+
+/// Samples on an arc in units of cells, counted from a cell left of and below all of them, so that truncation is floor.
+///
+/// The bearing of sample k from the arc's centre is that of `first` turned k times by one step. Directions are turned
+/// `arc_lanes` at a time: `lane_x`, `lane_y` hold the turns by 0 ... arc_lanes - 1 steps, `turn_x`, `turn_y` the turn
+/// by arc_lanes steps. An ellipse's direction u is stretched to the radius A B / hypot(B u.f, A f x u).
+inline constexpr std::size_t arc_lanes = 8;
+struct ArcShape {
+  double first_x;
+  double first_y;
+  double lane_x[arc_lanes];
+  double lane_y[arc_lanes];
+  double turn_x;
+  double turn_y;
+  double centre_x;  ///< counted from the cell at (i_base, j_base)
+  double centre_y;
+  double semi_major;  ///< A, in cells; the radius of a circle
+  double semi_minor;  ///< B
+  double focal_x;     ///< f, unit vector along the major axis
+  double focal_y;
+  std::int32_t i_base;
+  std::int32_t j_base;
+  bool circular;
+};
+
+struct RasterKernels {
+  const char* instruction_set;
+  /// The columns i_begin[k] <= i < i_end[k] of row j_first + k, for 0 <= k < count; i_end <= i_begin where there are
+  /// none.
+  void (*sector_rows)(const SectorShape& shape, std::int32_t j_first, std::size_t count, std::int32_t* i_begin,
+                      std::int32_t* i_end);
+  /// The cell (i, j) of every sample 0 <= k < count as one number, j in the upper 32 bits; `count` is a multiple of
+  /// `arc_lanes`.
+  void (*arc_samples)(const ArcShape& shape, std::size_t count, std::uint64_t* cells);
+};
+
+/// The kernels for this processor, chosen once. All of them give the same cells.
+const RasterKernels& raster_kernels();
+/// Every set of kernels this processor can run; the first is the plain one.
+std::size_t available_raster_kernels(const RasterKernels** list, std::size_t room);
+
+}  // namespace echoarc::kernels
