@@ -18,10 +18,11 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
   return read_all(**source, max_bytes);
 }
 
-Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
+Result<void> write_file(const std::filesystem::path& path, std::initializer_list<std::string_view> pieces) {
   const Result<std::unique_ptr<FileSink>> sink = FileSink::create(path);
   if (!sink) return sink.error();
-  if (const Result<void> written = (*sink)->write(bytes); !written) return written;
+  for (const std::string_view piece : pieces)
+    if (const Result<void> written = (*sink)->write(piece); !written) return written;
   return (*sink)->commit();
 }
 

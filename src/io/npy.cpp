@@ -36,10 +36,9 @@ std::string npy_header(std::string_view type, std::int32_t width, std::int32_t h
 
 template <class T>
 Result<void> write_array(const std::filesystem::path& path, const DenseGrid<T>& grid, std::string_view type) {
-  std::string bytes = npy_header(type, grid.width(), grid.height());
   const auto values = std::as_bytes(grid.values());
-  bytes.append(reinterpret_cast<const char*>(values.data()), values.size());
-  return write_file(path, bytes);
+  return write_file(path, {npy_header(type, grid.width(), grid.height()),
+                           {reinterpret_cast<const char*>(values.data()), values.size()}});
 }
 
 }  // namespace
