@@ -4,6 +4,7 @@
 #include "echoarc/maps/arc_raster.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -85,36 +86,41 @@ Cell unpacked(std::uint64_t cell) {
   return {static_cast<std::int32_t>(cell & 0xffffffffU), static_cast<std::int32_t>(cell >> 32)};
 }
 
-/// The distinct cells of the samples of a wide arc, in two passes without a branch or a look back at what was just
-/// written: samples that stay in their cell go first, returns to the cell before the last second.
-std::span<const Cell> distinct_cells(std::span<std::uint64_t> samples, std::vector<Cell>& cells) {
-  std::size_t entered = 1;
-  for (std::size_t k = 1; k < samples.size(); ++k) {
-    const std::uint64_t cell = samples[k];
-    const std::size_t fresh = cell != samples[k - 1] ? 1 : 0;
-    samples[entered] = cell;  // entered <= k: never ahead of what is still to be read
-    entered += fresh;
-  }
-  if (cells.size() < entered) cells.resize(entered);
+/// The distinct cells of the samples of a wide arc: `samples` and `changes` as the kernel leaves them. Only samples
+/// that enter another cell are visited, and returns to the cell before the last are dropped without a branch.
+std::span<const Cell> distinct_cells(std::span<const std::uint64_t> samples, const std::uint64_t* changes,
+                                     std::vector<Cell>& cells) {
+  if (cells.size() < samples.size()) cells.resize(samples.size());
   std::size_t size = 0;
-  for (std::size_t k = 0; k < entered; ++k) {
-    cells[size] = unpacked(samples[k]);
-    size += k < 2 || samples[k] != samples[k - 2] ? 1 : 0;
+  std::uint64_t last = ~samples[0];
+  std::uint64_t before_last = last;
+  for (std::size_t k = 0; k < samples.size(); k += 64) {
+    const std::size_t left = samples.size() - k;
+    std::uint64_t entered = changes[k / 64] & (left < 64 ? (std::uint64_t{1} << left) - 1 : ~std::uint64_t{0});
+    for (; entered != 0; entered &= entered - 1) {
+      const std::uint64_t cell = samples[k + std::size_t(std::countr_zero(entered))];
+      cells[size] = unpacked(cell);
+      size += cell != before_last ? 1 : 0;
+      before_last = last;
+      last = cell;
+    }
   }
   return std::span<const Cell>(cells).first(size);
 }
 
-std::span<const Cell> sampled_cells(const Arc& arc, const GridGeometry& geometry, std::vector<std::uint64_t>& samples,
+std::span<const Cell> sampled_cells(const Arc& arc, const GridGeometry& geometry, std::vector<std::uint64_t>& scratch,
                                     std::vector<Cell>& cells) {
   const std::size_t count = sample_count(arc, geometry.cell_m);
   const std::size_t padded = (count + kernels::arc_lanes - 1) / kernels::arc_lanes * kernels::arc_lanes;
-  if (samples.size() < padded) samples.resize(padded);
+  const std::size_t words = padded / 64 + 1;
+  if (scratch.size() < padded + 1 + words) scratch.resize(padded + 1 + words);
+  std::uint64_t* const changes = scratch.data() + padded + 1;
   const kernels::ArcShape shape = shape_of(arc, geometry, (arc.t_end() - arc.t_begin()) / double(count - 1));
-  kernels::raster_kernels().arc_samples(shape, padded, samples.data());
-  const auto taken = std::span(samples).first(count);
-  if (shape.semi_major >= tight_radius_cells) return distinct_cells(taken, cells);
+  kernels::raster_kernels().arc_samples(shape, padded, scratch.data(), changes);
+  const auto samples = std::span<const std::uint64_t>(scratch).subspan(1, count);
+  if (shape.semi_major >= tight_radius_cells) return distinct_cells(samples, changes, cells);
   DistinctCells distinct(cells, count, true);
-  for (const std::uint64_t cell : taken) distinct.add(unpacked(cell));
+  for (const std::uint64_t cell : samples) distinct.add(unpacked(cell));
   return distinct.get();
 }
 

@@ -35,13 +35,28 @@ void sample(const ArcShape& shape, std::size_t count, std::uint64_t* __restrict 
   }
 }
 
+/// Bit k % 64 of word k / 64 tells whether cells[k + 1] differs from cells[k].
+void mark_changes(const std::uint64_t* __restrict cells, std::size_t count, std::uint64_t* __restrict changes) {
+  for (std::size_t k = 0; k < count; k += arc_lanes) {
+    std::uint64_t bits = 0;
+#pragma GCC unroll 1
+    for (std::uint64_t l = 0; l < arc_lanes; ++l)
+      bits |= (cells[k + l + 1] != cells[k + l] ? std::uint64_t{1} : std::uint64_t{0}) << l;
+    std::uint64_t& word = changes[k / 64];
+    word = (k % 64 == 0 ? 0 : word) | bits << (k % 64);
+  }
+}
+
 }  // namespace
 
-void arc_samples(const ArcShape& shape, std::size_t count, std::uint64_t* __restrict cells) {
+void arc_samples(const ArcShape& shape, std::size_t count, std::uint64_t* __restrict cells,
+                 std::uint64_t* __restrict changes) {
   if (shape.circular)
-    sample<true>(shape, count, cells);
+    sample<true>(shape, count, cells + 1);
   else
-    sample<false>(shape, count, cells);
+    sample<false>(shape, count, cells + 1);
+  cells[0] = ~cells[1];
+  mark_changes(cells, count, changes);
 }
 
 }  // namespace echoarc::kernels::ECHOARC_ISA

@@ -64,9 +64,10 @@ struct RasterKernels {
   /// none.
   void (*sector_rows)(const SectorShape& shape, std::int32_t j_first, std::size_t count, std::int32_t* i_begin,
                       std::int32_t* i_end);
-  /// The cell (i, j) of every sample 0 <= k < count as one number, j in the upper 32 bits; `count` is a multiple of
-  /// `arc_lanes`.
-  void (*arc_samples)(const ArcShape& shape, std::size_t count, std::uint64_t* cells);
+  /// The cell (i, j) of every sample 0 <= k < count as one number in cells[k + 1], j in the upper 32 bits, and in bit
+  /// k % 64 of changes[k / 64] whether it differs from the one before; bit 0 is set. `count` is a multiple of
+  /// `arc_lanes`; there is room for count + 1 cells.
+  void (*arc_samples)(const ArcShape& shape, std::size_t count, std::uint64_t* cells, std::uint64_t* changes);
 };
 
 /// The kernels for this processor, chosen once. All of them give the same cells.

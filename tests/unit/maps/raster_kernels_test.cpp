@@ -88,10 +88,16 @@ TEST(SectorRows, SameColumnsFromEveryInstructionSet) {
   }
 }
 
-std::vector<std::uint64_t> samples(const RasterKernels& kernels, const ArcShape& shape, std::size_t count) {
-  std::vector<std::uint64_t> cells(count);
-  kernels.arc_samples(shape, count, cells.data());
-  return cells;
+struct Samples {
+  std::vector<std::uint64_t> cells;
+  std::vector<std::uint64_t> changes;
+  friend bool operator==(const Samples&, const Samples&) = default;
+};
+
+Samples samples(const RasterKernels& kernels, const ArcShape& shape, std::size_t count) {
+  Samples s{std::vector<std::uint64_t>(count + 1), std::vector<std::uint64_t>(count / 64 + 1)};
+  kernels.arc_samples(shape, count, s.cells.data(), s.changes.data());
+  return s;
 }
 
 /// Samples `step` apart from the bearing `first` on.
@@ -119,13 +125,29 @@ ArcShape ellipse(double first, double step, double semi_major, double semi_minor
 TEST(ArcSamples, QuarterTurns) {
   const double quarter = std::acos(0.0);
   const ArcShape shape = ellipse(0.0, quarter, 5.5, 5.5, 0.0);  // about (7.75, 7.75) from cell (-7, 11)
+  const std::vector<std::pair<int, int>> turn{{6, 18}, {0, 24}, {-5, 18}, {0, 13}};
   for (const auto* kernels : all_kernels()) {
-    std::vector<std::pair<int, int>> cells;
-    for (const std::uint64_t cell : samples(*kernels, shape, 8))
-      cells.emplace_back(int(cell & 0xffffffffU), cell >> 32);
-    const std::vector<std::pair<int, int>> turn{{6, 18}, {0, 24}, {-5, 18}, {0, 13}};
-    EXPECT_EQ(std::vector(cells.begin(), cells.begin() + 4), turn) << kernels->instruction_set;
-    EXPECT_EQ(std::vector(cells.begin() + 4, cells.end()), turn) << kernels->instruction_set;
+    const Samples result = samples(*kernels, shape, 8);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const std::uint64_t cell = result.cells[k + 1];
+      EXPECT_EQ(std::pair(int(cell & 0xffffffffU), int(cell >> 32)), turn[k % 4]) << kernels->instruction_set;
+    }
+    EXPECT_EQ(result.changes[0], 0xffU) << kernels->instruction_set;
+  }
+}
+
+TEST(ArcSamples, ChangesTellWhereTheCellIsAnother) {
+  const std::size_t count = 136;  // two words and a bit
+  for (const auto* kernels : all_kernels()) {
+    const Samples s = samples(*kernels, ellipse(0.3, 0.5 / 40.0, 40.0, 40.0, 0.0), count);
+    std::size_t changed = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool bit = (s.changes[k / 64] >> (k % 64) & 1U) != 0;
+      EXPECT_EQ(bit, k == 0 || s.cells[k + 1] != s.cells[k]) << kernels->instruction_set << ", sample " << k;
+      changed += bit ? 1 : 0;
+    }
+    EXPECT_GT(changed, count / 2);
+    EXPECT_LT(changed, count);
   }
 }
 
@@ -138,7 +160,7 @@ TEST(ArcSamples, SameCellsFromEveryInstructionSet) {
     const ArcShape shape =
         ellipse(rng.uniform(-3.0, 3.0), 0.5 / semi_major, semi_major, semi_minor, rng.uniform(-3.0, 3.0));
     const std::size_t count = arc_lanes * (1 + rng.below(40));
-    const std::vector<std::uint64_t> first = samples(*list.front(), shape, count);
+    const Samples first = samples(*list.front(), shape, count);
     for (const auto* kernels : list) ASSERT_EQ(samples(*kernels, shape, count), first) << kernels->instruction_set;
   }
 }
