@@ -19,11 +19,12 @@ constexpr std::array<RejectionInfo, rejection_count> table{{
      "Repair the stamps (seconds); if the robot paused that long, raise max_time_jump_s."},
     {Rejection::time_backwards, "time_backwards", "it is stamped before a record that was already used",
      "Sort the log by time; on a robot, look for a clock that was set back."},
-    {Rejection::duplicate, "duplicate", "it repeats the record before it: same time, same sensors, same value",
+    {Rejection::duplicate, "duplicate",
+     "it repeats the record before it: same time and, of a ping, same sensors and value",
      "Harmless; to be rid of it, write every record once."},
     {Rejection::later_echo, "later_echo", "it is not the first echo of its transmission",
      "Nothing to do: the methods use first echoes alone."},
-    {Rejection::no_pose, "no_pose", "no odometry lies before or after it",
+    {Rejection::no_pose, "no_pose", "there is no odometry before it, or none after it",
      "Check that odometry and pings share one clock and one unit of time, and that odometry covers the whole drive."},
     {Rejection::pose_gap, "pose_gap", "the odometry around it is too far apart to interpolate a pose",
      "Record odometry more often; if the robot moves slowly, raise max_pose_gap_s."},
@@ -79,9 +80,9 @@ std::string describe(Rejection reason, const RejectionTally& tally, std::string_
   const RejectionInfo& about = info(reason);
   const std::string first = tally.first_line > 0 ? "line " + std::to_string(tally.first_line)
                                                  : "record " + std::to_string(tally.first_index + 1);
-  return std::string(about.name) + ": " + std::to_string(tally.count) + " " + std::string(kind) + ", first at " +
-         first + " (" + value_text(reason, tally.first_value) + "): " + std::string(about.explanation) + ". " +
-         std::string(about.remedy);
+  return std::string(about.name) + ": " + std::to_string(tally.count) + " " + std::string(kind) +
+         (tally.count == 1 ? "" : "s") + ", first at " + first + " (" + value_text(reason, tally.first_value) +
+         "): " + std::string(about.explanation) + ". " + std::string(about.remedy);
 }
 
 }  // namespace echoarc

@@ -18,9 +18,9 @@ enum class Rejection : std::uint8_t {
   unknown_sensor,     ///< transmitter or receiver is not in the robot description
   bad_time,           ///< time stamp not finite, or far ahead of everything before it
   time_backwards,     ///< stamped before a record that was already used
-  duplicate,          ///< repeats the record before it: same time, same sensors, same value
+  duplicate,          ///< repeats the record before it: same time and, of a ping, same sensors and value
   later_echo,         ///< not the first echo of its transmission
-  no_pose,            ///< no odometry before or after it
+  no_pose,            ///< no odometry before it, or none after it
   pose_gap,           ///< the odometry around it is too far apart to interpolate
   bad_pose,           ///< odometry pose not finite or out of reach
   invalid,            ///< the hardware reported a failed measurement
@@ -71,8 +71,8 @@ class RejectionCounters {
   std::array<RejectionTally, rejection_count> tallies_{};
 };
 
-/// "implausible_range: 31 pings, first at line 12 (5110 m): ... Check the unit ...", for people. `kind` is the plural
-/// of the record ("pings", "odometry records").
+/// "implausible_range: 31 pings, first at line 12 (5110 m): ... Check the unit ...", for people. `kind` names one
+/// record: "ping", "odometry record", "wall note".
 [[nodiscard]] std::string describe(Rejection reason, const RejectionTally& tally, std::string_view kind);
 
 }  // namespace echoarc

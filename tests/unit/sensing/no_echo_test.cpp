@@ -168,7 +168,7 @@ TEST(NoEcho, AWallFiveKilometresAwayIsImplausible) {
   EXPECT_EQ(tally.count, 1U);
   EXPECT_EQ(tally.first_line, log.pings[9].line);
   EXPECT_EQ(tally.first_index, 9U);
-  EXPECT_NE(describe(Rejection::implausible_range, tally, "pings").find("unit"), std::string::npos);
+  EXPECT_NE(describe(Rejection::implausible_range, tally, "ping").find("unit"), std::string::npos);
 }
 
 TEST(NoEcho, SensorsOfOneModelShareTheirEvidence) {

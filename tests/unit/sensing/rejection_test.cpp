@@ -40,12 +40,13 @@ TEST(Rejection, CountersKeepTheFirst) {
 TEST(Rejection, DescriptionNamesCountPlaceValueAndRemedy) {
   RejectionCounters counters;
   counters.add(Rejection::implausible_range, 12, 5, 5110.0);
-  EXPECT_EQ(describe(Rejection::implausible_range, counters[Rejection::implausible_range], "pings"),
-            "implausible_range: 1 pings, first at line 12 (5110 m): the range is more than twice the sensor's maximum. "
+  EXPECT_EQ(describe(Rejection::implausible_range, counters[Rejection::implausible_range], "ping"),
+            "implausible_range: 1 ping, first at line 12 (5110 m): the range is more than twice the sensor's maximum. "
             "Check the unit of the ranges: millimetres or centimetres read as metres look like this.");
   counters.add(Rejection::no_pose, 0, 5, 3.25);
-  const std::string text = describe(Rejection::no_pose, counters[Rejection::no_pose], "pings");
-  EXPECT_NE(text.find("first at record 6 (t = 3.25 s)"), std::string::npos) << text;
+  counters.add(Rejection::no_pose, 0, 6, 3.5);
+  const std::string text = describe(Rejection::no_pose, counters[Rejection::no_pose], "ping");
+  EXPECT_NE(text.find("2 pings, first at record 6 (t = 3.25 s)"), std::string::npos) << text;
 }
 
 // The table of docs/no-echo.md is written for people; it must say what the program says.

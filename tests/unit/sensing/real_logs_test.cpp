@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The no-echo decision on the values of real robots.
+// Sensing on the logs of real robots.
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "echoarc/sensing/no_echo.hpp"
+#include "echoarc/sensing/sensing.hpp"
 #include "unit/sensing/test_logs.hpp"
 
 namespace echoarc {
@@ -77,9 +77,32 @@ TEST_P(Corridor, The5110IsNoEchoWhateverTheDescribedMaximum) {
     EXPECT_EQ(tally.rejected, 0U);
   }
 }
-INSTANTIATE_TEST_SUITE_P(RealValues, Corridor, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(RealLogs, Corridor, testing::Values(1, 2, 3));
 
-TEST(RealValues, CorridorSentence) {
+TEST_P(Corridor, EveryPingBecomesAReadingAtItsOwnOdometry) {
+  const std::string run = data + "corridor/run" + std::to_string(GetParam());
+  const auto odometry = numbers_of(run + "/od.txt");
+  const auto sonar = numbers_of(run + "/sonar.txt");
+  if (odometry.empty() || sonar.empty()) GTEST_SKIP() << run << " is absent";
+  Log log;
+  log.robot.sensors = sensors(8, 5.1);
+  for (const auto& row : odometry)
+    log.odometry.push_back(
+        {.time_s = row[0] * 1e-3, .T_world_robot = {{row[1] * 1e-3, row[2] * 1e-3}, degrees(row[3] * 0.1)}});
+  for (const auto& row : sonar)
+    for (std::size_t k = 0; k < 8; ++k)
+      log.pings.push_back(test::ping_at(row[0] * 1e-3, SensorId(k), row[k + 1] * 1e-3));
+  const SensedLog sensed = sense(log);
+  EXPECT_EQ(sensed.report.accepted(), log.pings.size());
+  EXPECT_EQ(sensed.report.rejected_pings.total(), 0U);
+  EXPECT_EQ(sensed.report.rejected_odometry.total(), 0U);
+  for (const Reading& reading : sensed.readings) {
+    EXPECT_EQ(reading.scan, reading.ping / 8) << "a row is a sweep";
+    EXPECT_EQ(reading.T_world_robot, log.odometry[reading.ping / 8].T_world_robot);
+  }
+}
+
+TEST(RealLogs, CorridorSentence) {
   const auto rows = numbers_of(data + "corridor/run1/sonar.txt");
   if (rows.empty()) GTEST_SKIP() << data << "corridor/run1 is absent";
   EXPECT_EQ(
@@ -88,14 +111,14 @@ TEST(RealValues, CorridorSentence) {
       "it");
 }
 
-TEST(RealValues, CorridorReadInMillimetresIsRejected) {
+TEST(RealLogs, CorridorReadInMillimetresIsRejected) {
   const auto rows = numbers_of(data + "corridor/run1/sonar.txt");
   if (rows.empty()) GTEST_SKIP() << data << "corridor/run1 is absent";
   const std::vector<Ping> pings = pings_of(rows, 1, 8, 1.0);
   EXPECT_EQ(tally_of(sensors(8, 10.7), pings).rejected, pings.size());
 }
 
-TEST(RealValues, ScitosFiveMetresAreNoEcho) {
+TEST(RealLogs, ScitosFiveMetresAreNoEcho) {
   const auto rows = numbers_of(data + "scitos/sensor_readings_24.data");
   if (rows.empty()) GTEST_SKIP() << data << "scitos is absent";
   const std::vector<Ping> pings = pings_of(rows, 0, 24, 1.0);
@@ -108,7 +131,7 @@ TEST(RealValues, ScitosFiveMetresAreNoEcho) {
   }
 }
 
-TEST(RealValues, GardenFromFiveMetresIsNoEcho) {
+TEST(RealLogs, GardenFromFiveMetresIsNoEcho) {
   const auto rows = numbers_of(data + "garden/drive.csv");
   if (rows.empty()) GTEST_SKIP() << data << "garden is absent";
   const std::vector<Ping> pings = pings_of(rows, 3, 2, 0.01);
