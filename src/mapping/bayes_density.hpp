@@ -68,7 +68,9 @@ class BayesDensity {
         circular_(arc.is_circular()),
         range_m_(arc.range_m()),
         near_field_m_(near_field_m),
-        range_error_m_(range_error_m),
+        empty_end_m_(arc.range_m() - range_error_m),
+        per_empty_depth_(1.0 / (empty_end_m_ - near_field_m)),
+        per_range_error_(1.0 / range_error_m),
         per_half_width_sq_(1.0 / (arc.half_width().rad() * arc.half_width().rad())),
         squared_angle_(arc.half_width()) {}
 
@@ -88,14 +90,13 @@ class BayesDensity {
   }
 
  private:
-  [[nodiscard]] double range_empty(double sigma_m) const {  // eq. 2
-    const double end_m = range_m_ - range_error_m_;
-    if (sigma_m < near_field_m_ || sigma_m >= end_m) return 0.0;  // at the end the parabola is 0
-    const double x = (sigma_m - near_field_m_) / (end_m - near_field_m_);
-    return 1.0 - x * x;
+  [[nodiscard]] double range_empty(double sigma_m) const {               // eq. 2
+    if (sigma_m < near_field_m_ || sigma_m >= empty_end_m_) return 0.0;  // at the end the parabola is 0
+    const double x = (sigma_m - near_field_m_) * per_empty_depth_;
+    return std::max(0.0, 1.0 - x * x);
   }
   [[nodiscard]] double range_occupied(double sigma_m) const {  // eq. 5
-    const double x = (sigma_m - range_m_) / range_error_m_;
+    const double x = (sigma_m - range_m_) * per_range_error_;
     return std::max(0.0, 1.0 - x * x);
   }
 
@@ -106,7 +107,9 @@ class BayesDensity {
   bool circular_;
   double range_m_;
   double near_field_m_;
-  double range_error_m_;
+  double empty_end_m_;  // r - r_epsilon
+  double per_empty_depth_;
+  double per_range_error_;
   double per_half_width_sq_;
   SquaredAngle squared_angle_;
 };

@@ -12,8 +12,21 @@
 namespace echoarc {
 namespace {
 
-bool same_tile(Cell a, Cell b) {
-  return (((a.i ^ b.i) | (a.j ^ b.j)) & ~(tile_size - 1)) == 0;
+/// Whether all cells lie in the tile of `first`.
+bool in_tile_of(Cell first, std::span<const Cell> cells) {
+  std::int32_t difference = 0;
+  for (const Cell c : cells) difference |= (c.i ^ first.i) | (c.j ^ first.j);
+  return (difference & ~(tile_size - 1)) == 0;
+}
+
+/// One past the last of the cells from `begin` on that lie in one tile.
+std::size_t end_of_run(std::span<const Cell> cells, std::size_t begin) {
+  constexpr std::size_t chunk = 16;  // tested at once, in vector code
+  const Cell first = cells[begin];
+  std::size_t end = begin + 1;
+  while (end + chunk <= cells.size() && in_tile_of(first, cells.subspan(end, chunk))) end += chunk;
+  while (end < cells.size() && in_tile_of(first, cells.subspan(end, 1))) ++end;
+  return end;
 }
 
 }  // namespace
@@ -24,8 +37,7 @@ bool VoteGrid::find_tiles(std::span<const Cell> cells) {
   for (std::size_t begin = 0; begin < cells.size();) {
     const Cell tile = Counts::tile_of(cells[begin]);
     if (counts_.find(tile) == nullptr && !counts_.ensure(tile)) return false;
-    std::size_t end = begin + 1;
-    while (end < cells.size() && same_tile(cells[end], cells[begin])) ++end;
+    const std::size_t end = end_of_run(cells, begin);
     runs_.push_back({counts_.find(tile), end});
     begin = end;
   }
