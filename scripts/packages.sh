@@ -8,13 +8,14 @@ packages_for() {
   local build=(g++ cmake ninja-build pkg-config python3
     libcli11-dev libfmt-dev libnanoflann-dev libpng-dev libsimdjson-dev libtomlplusplus-dev nlohmann-json3-dev)
   local test=(libgtest-dev librapidcheck-dev)
+  local sanitizer=(clang-19 libclang-rt-19-dev)
   case "$1" in
     build) echo "${build[@]}" ;;
     test) echo "${build[@]}" "${test[@]}" ;;
+    sanitize) echo "${build[@]}" "${test[@]}" "${sanitizer[@]}" ;;
     lint) echo "${build[@]}" "${test[@]}" clang-format-19 clang-tidy-19 shellcheck universal-ctags ;;
     fmt) echo clang-format-19 ;;
     bench) echo "${build[@]}" libbenchmark-dev "$(optional libmrpt-maps-dev libmrpt-obs-dev)" ;;
-    fuzz) echo "${build[@]}" clang-19 libclang-rt-19-dev ;;
     docs) echo "${build[@]}" doxygen ;;
     *) echo "no package list for '$1'" >&2; return 1 ;;
   esac

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The echoarc authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# scripts/run_fuzz.sh SECONDS JOBS: runs every target of build/fuzz for so long, JOBS at a time. A target starts from
+# scripts/run_fuzz.sh SECONDS JOBS: runs every fuzz target of the asan-ubsan tree for so long, JOBS at a time. A target starts from
 # fuzz/corpus/NAME and collects new inputs in build/fuzz/found/NAME; an input that crashes it stays in
 # build/fuzz/crashes, and the run fails.
 set -euo pipefail
@@ -10,8 +10,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 mkdir -p build/fuzz/crashes
 shopt -s nullglob
-targets=(build/fuzz/bin/*_fuzz)
-[ ${#targets[@]} -gt 0 ] || { echo "no fuzz targets in build/fuzz/bin" >&2; exit 1; }
+targets=(build/asan-ubsan/fuzz/bin/*_fuzz)
+[ ${#targets[@]} -gt 0 ] || { echo "no fuzz targets in build/asan-ubsan/fuzz/bin" >&2; exit 1; }
 
 run_one() {
   local name seconds=$2 seeds=()
