@@ -108,40 +108,55 @@ void keep_only(DelimitedTable& table, std::initializer_list<Quantity> quantities
 }
 
 /// The table of a file, told from its first line that is not a comment.
-Result<DelimitedTable> describe(const std::filesystem::path& path, const char* remedy) {
-  Result<std::unique_ptr<ByteSource>> source = FileSource::open(path);
+Result<DelimitedTable> describe(const std::string& file, const TableOpener& open, const char* remedy) {
+  Result<std::unique_ptr<ByteSource>> source = open(file);
   if (!source) return source.error();
   LineReader lines(**source, {.line_bytes = max_header_bytes});
   while (lines.next()) {
     const std::string_view text = trimmed(lines.line().text);
     if (text.starts_with('#') || (text.empty() && !lines.line().too_long)) continue;
     DelimitedTable table = table_of(text);
-    table.file = path.string();
+    table.file = file;
     return table;
   }
   if (lines.failure()) return *lines.failure();
-  return Error{ErrorCode::bad_format, "the file is empty", path.string(), remedy};
+  return Error{ErrorCode::bad_format, "the file is empty", file, remedy};
 }
 
-Result<std::filesystem::path> find_odometry(const std::filesystem::path& ranges) {
+/// The ranges, with or without poses; nothing else of the file is kept.
+Result<DelimitedTable> describe_ranges(const std::string& file, const TableOpener& open) {
+  Result<DelimitedTable> table = describe(file, open, ranges_remedy);
+  if (!table || has_all(*table, {Quantity::time, Quantity::sensor, Quantity::range})) return table;
+  return Error{ErrorCode::bad_format, "the header line does not name t, sensor_id and range_m", file, ranges_remedy};
+}
+
+Result<DelimitedTable> describe_odometry(const std::string& file, const TableOpener& open) {
+  Result<DelimitedTable> table = describe(file, open, odometry_remedy);
+  if (!table) return table;
+  keep_only(*table, {Quantity::time, Quantity::x, Quantity::y, Quantity::yaw});
+  if (table->columns.size() == 4) return table;
+  return Error{ErrorCode::bad_format, "the header line does not name t, x, y and yaw", file, odometry_remedy};
+}
+
+bool has_pose(const DelimitedTable& table) {
+  return has_all(table, {Quantity::x, Quantity::y, Quantity::yaw});
+}
+
+std::optional<std::string> find_odometry(const std::filesystem::path& ranges) {
   const std::filesystem::path folder = ranges.parent_path();
   for (const std::string& name :
        {ranges.stem().string() + ".odom.csv", std::string("odometry.csv"), std::string("odom.csv")}) {
     std::error_code ignored;  // a candidate that cannot be examined is none
-    if (std::filesystem::is_regular_file(folder / name, ignored)) return folder / name;
+    if (std::filesystem::is_regular_file(folder / name, ignored)) return (folder / name).string();
   }
-  return Error{
-      ErrorCode::not_found, "the ranges have no odometry beside them", ranges.string(),
-      fmt::format("put odometry.csv or {}.odom.csv with the columns t,x,y,yaw beside it, or name one: --odometry FILE",
-                  ranges.stem().string())};
+  return std::nullopt;
 }
 
-Result<DelimitedTable> describe_odometry(const std::filesystem::path& path) {
-  Result<DelimitedTable> table = describe(path, odometry_remedy);
-  if (!table) return table;
-  keep_only(*table, {Quantity::time, Quantity::x, Quantity::y, Quantity::yaw});
-  if (table->columns.size() == 4) return table;
-  return Error{ErrorCode::bad_format, "the header line does not name t, x, y and yaw", path.string(), odometry_remedy};
+Error no_odometry(const std::string& ranges) {
+  return {
+      ErrorCode::not_found, "the ranges have no odometry beside them", ranges,
+      fmt::format("put odometry.csv or {}.odom.csv with the columns t,x,y,yaw beside it, or name one: --odometry FILE",
+                  std::filesystem::path(ranges).stem().string())};
 }
 
 }  // namespace
@@ -150,29 +165,36 @@ bool is_plain_csv_header(std::string_view line) {
   return has_all(table_of(line), {Quantity::time, Quantity::sensor, Quantity::range});
 }
 
-Result<Log> read_plain_csv(const std::filesystem::path& ranges, const PlainCsvOptions& options) {
-  Result<DelimitedTable> table = describe(ranges, ranges_remedy);
+Result<Log> read_plain_csv(const std::string& ranges, const std::optional<std::string>& odometry,
+                           const RobotDescription& robot, const TableOpener& open, const ReadLimits& limits) {
+  Result<DelimitedTable> table = describe_ranges(ranges, open);
   if (!table) return table.error();
-  if (!has_all(*table, {Quantity::time, Quantity::sensor, Quantity::range}))
-    return Error{ErrorCode::bad_format, "the header line does not name t, sensor_id and range_m", ranges.string(),
-                 ranges_remedy};
+  DelimitedDescription description;
+  description.source = ranges;
+  description.robot = robot;
+  if (odometry) {
+    Result<DelimitedTable> poses = describe_odometry(*odometry, open);
+    if (!poses) return poses.error();
+    description.tables.push_back(std::move(*poses));
+  } else if (!has_pose(*table)) {
+    return no_odometry(ranges);
+  }
+  if (odometry || !has_pose(*table)) keep_only(*table, {Quantity::time, Quantity::sensor, Quantity::range});
+  description.tables.push_back(std::move(*table));
+  return read_delimited(description, open, limits);
+}
+
+Result<Log> read_plain_csv(const std::filesystem::path& ranges, const PlainCsvOptions& options) {
+  const auto open = [](const std::string& file) { return FileSource::open(file); };
+  const Result<DelimitedTable> table = describe_ranges(ranges.string(), open);
+  if (!table) return table.error();
   if (!options.robot)
     return Error{ErrorCode::bad_value, "the ranges do not say where the sensors are", ranges.string(),
                  "describe the robot: --robot robot.toml (echoarc init writes one)"};
-  DelimitedDescription description;
-  description.source = ranges.string();
-  description.robot = *options.robot;
-  const bool has_pose = !options.odometry && has_all(*table, {Quantity::x, Quantity::y, Quantity::yaw});
-  if (!has_pose) {
-    keep_only(*table, {Quantity::time, Quantity::sensor, Quantity::range});
-    const auto path = options.odometry ? Result<std::filesystem::path>(*options.odometry) : find_odometry(ranges);
-    if (!path) return path.error();
-    Result<DelimitedTable> odometry = describe_odometry(*path);
-    if (!odometry) return odometry.error();
-    description.tables.push_back(std::move(*odometry));
-  }
-  description.tables.push_back(std::move(*table));
-  return read_delimited(description, [](const std::string& file) { return FileSource::open(file); }, options.limits);
+  std::optional<std::string> odometry;
+  if (options.odometry) odometry = options.odometry->string();
+  if (!odometry && !has_pose(*table)) odometry = find_odometry(ranges);
+  return read_plain_csv(ranges.string(), odometry, *options.robot, open, options.limits);
 }
 
 }  // namespace echoarc::io

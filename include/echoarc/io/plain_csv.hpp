@@ -5,10 +5,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "echoarc/core/log.hpp"
 #include "echoarc/core/result.hpp"
+#include "echoarc/io/delimited.hpp"
 #include "echoarc/io/line_reader.hpp"
 
 namespace echoarc::io {
@@ -25,6 +27,11 @@ struct PlainCsvOptions {
 /// The odometry is `NAME.odom.csv`, `odometry.csv` or `odom.csv` in the folder of `NAME.csv`, unless the ranges have
 /// columns x, y, yaw themselves. Errors: no such odometry, no robot, columns that are missing.
 [[nodiscard]] Result<Log> read_plain_csv(const std::filesystem::path& ranges, const PlainCsvOptions& options);
+/// The same with the files named and opened by the caller; each is opened twice. Without `odometry` the ranges must
+/// hold x, y and yaw.
+[[nodiscard]] Result<Log> read_plain_csv(const std::string& ranges, const std::optional<std::string>& odometry,
+                                         const RobotDescription& robot, const TableOpener& open,
+                                         const ReadLimits& limits = {});
 
 /// Whether a header line names the columns of such a file.
 [[nodiscard]] bool is_plain_csv_header(std::string_view line);
