@@ -81,7 +81,7 @@ enum class TableJoin : std::uint8_t {
   row,   ///< row i of every table is one sample; the first table tells the time
 };
 
-/// What TOML says about a delimited text (docs/formats, descriptions/*.toml).
+/// What TOML says about a delimited text (docs/formats.md, descriptions/*.toml).
 struct DelimitedDescription {
   std::string source;  ///< for messages
   std::string frame = "odom";

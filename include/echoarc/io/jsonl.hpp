@@ -14,7 +14,7 @@ namespace echoarc::io {
 /// Major version of the JSON Lines log that this library reads and writes.
 inline constexpr int jsonl_version = 1;
 
-/// Reads a JSON Lines log: a header, then one record a line (docs/formats). Units: metres, radians, seconds.
+/// Reads a JSON Lines log: a header, then one record a line (docs/formats.md). Units: metres, radians, seconds.
 ///
 /// A range in words becomes its REP 117 double: "no_echo" +Inf, "too_close" -Inf, "invalid" NaN. Records keep the order
 /// of the file, unknown sensor ids included; `sensing` judges them. Records of unknown type go to
