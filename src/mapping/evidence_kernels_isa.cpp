@@ -31,10 +31,10 @@ inline void for_each_segment(const TileRow& row, const Runs& runs, std::size_t k
   }
 }
 
-/// Rounds to the nearest whole number, ties to even, for |x| < 2^22: adding 1.5 * 2^23 leaves the integer in the low
+/// Rounds to the nearest whole number, ties to even, for |x| < 2^15: adding 1.5 * 2^23 leaves the integer in the low 16
 /// bits.
-inline std::int32_t round_to_int(float x) {
-  return static_cast<std::int32_t>(__builtin_bit_cast(std::uint32_t, x + 12582912.0F) - 0x4b400000U);
+inline std::uint32_t rounded_bits(float x) {
+  return __builtin_bit_cast(std::uint32_t, x + 12582912.0F);
 }
 
 inline double smaller(double a, double b) {
@@ -90,10 +90,25 @@ struct SpreadPolynomial {
     for (int k = 0; k < terms; ++k)
       for (int l = 0; l < lanes; ++l) c[k][l] = polynomial.c[k];
   }
+  /// Halves at a time (Estrin's scheme): the chain of dependent operations is a third of Horner's.
   [[nodiscard]] float at(float x, std::int32_t l) const {
-    float sum = c[terms - 1][l];
-    for (int k = terms - 2; k >= 0; --k) sum = sum * x + c[k][l];
-    return sum;
+    const float x2 = x * x;
+    return part<0, terms>(x, x2, x2 * x2, l);
+  }
+
+ private:
+  template <int first, int count>
+  [[nodiscard]] float part(float x, float x2, float x4, std::int32_t l) const {
+    if constexpr (count == 1)
+      return c[first][l];
+    else if constexpr (count == 2)
+      return c[first][l] + c[first + 1][l] * x;
+    else if constexpr (count <= 4)
+      return part<first, 2>(x, x2, x4, l) + part<first + 2, count - 2>(x, x2, x4, l) * x2;
+    else if constexpr (count <= 8)
+      return part<first, 4>(x, x2, x4, l) + part<first + 4, count - 4>(x, x2, x4, l) * x4;
+    else
+      return part<first, 8>(x, x2, x4, l) + part<first + 8, count - 8>(x, x2, x4, l) * (x4 * x4);
   }
 };
 
@@ -134,31 +149,52 @@ void add_constant(const TileRow& row, const Runs& runs, std::int16_t increment) 
     add_constant_signed<Sign::rising>(row, runs, increment);
 }
 
-/// Adds `increment(dx, dy)` to the cells of the runs, dx and dy in metres from the apex, `lanes` cells at a time; the
-/// ends of a run are masked, not peeled.
+/// What the cells of a tile's row add to the position of the first.
+struct CellOffsets {
+  alignas(32) float dx[tile_size];
+  alignas(32) float across[tile_size];
+
+  explicit CellOffsets(const BeamFrame& beam) {
+    for (std::int32_t l = 0; l < tile_size; ++l) {
+      dx[l] = static_cast<float>(l) * beam.cell_m;
+      across[l] = beam.axis_y * dx[l];
+    }
+  }
+};
+
+/// Adds `increment(squared, across, lane)` to the cells of the runs, of the squared distance from the apex and the
+/// distance from the beam's axis in metres, `lanes` cells at a time; the ends of a run are masked, not peeled.
 template <int lanes, Sign sign, class Increment>
 inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& frame, Increment&& increment) {
   const BeamFrame beam = frame;
+  const CellOffsets offsets(beam);
   for (std::size_t k = 0; k < runs.count; ++k) {
     const float dy = beam.offset_y_m + static_cast<float>(runs.j[k] - beam.apex_j) * beam.cell_m;
+    const float dy_squared = dy * dy;
+    const float row_across = beam.axis_x * dy;
     for_each_segment(row, runs, k, [&](std::int16_t* cells, std::int32_t i, std::int32_t begin, std::int32_t end) {
+      const float first_dx = beam.offset_x_m + static_cast<float>(i - beam.apex_i) * beam.cell_m;
+      const float first_across = row_across - beam.axis_y * first_dx;
+      const auto first = static_cast<std::int16_t>(begin);
+      const auto last = static_cast<std::int16_t>(end);
       for (std::int32_t block = begin & ~(lanes - 1); block < end; block += lanes) {
-        const std::int32_t first_dx = i + block - beam.apex_i;
-        const auto first = static_cast<std::int16_t>(begin - block);
-        const auto last = static_cast<std::int16_t>(end - block);
-        std::int16_t* own = cells + block;
         // Two loops, so that each is vectorised at the full width of its type. Unrolled early, they would be out of
         // reach of the vectoriser.
-        std::int32_t change[lanes];
+        std::uint32_t change[lanes];
 #pragma GCC unroll 1
         for (std::int32_t l = 0; l < lanes; ++l) {
-          const float dx = beam.offset_x_m + static_cast<float>(first_dx + l) * beam.cell_m;
-          change[l] = round_to_int(increment(dx, dy, l));
+          const float dx = first_dx + offsets.dx[block + l];
+          const float across = first_across - offsets.across[block + l];
+          change[l] = rounded_bits(increment(dx * dx + dy_squared, across, l));
         }
+        std::int16_t* own = cells + block;
+        const auto column = static_cast<std::int16_t>(block);
 #pragma GCC unroll 1
         for (std::int16_t l = 0; l < lanes; ++l) {
-          const auto inside = static_cast<std::int16_t>(-((l >= first) & (l < last)));  // all bits, or none
-          own[l] = saturating_sum<sign>(own[l], static_cast<std::int16_t>(change[l] & inside));
+          const auto c = static_cast<std::int16_t>(column + l);
+          const auto inside = static_cast<std::int16_t>(-((c >= first) & (c < last)));  // all bits, or none
+          own[l] =
+              saturating_sum<sign>(own[l], static_cast<std::int16_t>(static_cast<std::int16_t>(change[l]) & inside));
         }
       }
     });
@@ -169,11 +205,9 @@ template <int terms>
 void add_angular_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment) {
   constexpr int lanes = 16;
   const SpreadPolynomial<terms, lanes> of_sine_squared(increment);
-  add_cells<lanes, Sign::falling>(row, runs, beam,
-                                  [&, ax = beam.axis_x, ay = beam.axis_y](float dx, float dy, std::int32_t l) {
-                                    const float across = ax * dy - ay * dx;
-                                    return of_sine_squared.at(across * across / (dx * dx + dy * dy), l);
-                                  });
+  add_cells<lanes, Sign::falling>(row, runs, beam, [&](float squared, float across, std::int32_t l) {
+    return of_sine_squared.at(across * across / squared, l);
+  });
 }
 
 void add_angular(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment) {
@@ -194,13 +228,10 @@ void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam,
   const SpreadPolynomial<terms, lanes> radial(band.radial);
   const SpreadPolynomial<terms, lanes> logit(band.logit);
   const float range_m = band.range_m;
-  add_cells<lanes, Sign::rising>(
-      row, runs, beam, [&, ax = beam.axis_x, ay = beam.axis_y](float dx, float dy, std::int32_t l) {
-        const float squared = dx * dx + dy * dy;
-        const float across = ax * dy - ay * dx;
-        const float error = __builtin_sqrtf(squared) - range_m;
-        return logit.at(angular.at(across * across / squared, l) * radial.at(error * error, l), l);
-      });
+  add_cells<lanes, Sign::rising>(row, runs, beam, [&](float squared, float across, std::int32_t l) {
+    const float error = __builtin_sqrtf(squared) - range_m;
+    return logit.at(angular.at(across * across / squared, l) * radial.at(error * error, l), l);
+  });
 }
 
 void add_band(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
