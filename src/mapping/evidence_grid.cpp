@@ -87,7 +87,7 @@ Trace EvidenceGrid::trace(const Reading& reading) const {
                             {"log_odds_added", change}}});
   };
   const PlannedRows& rows = planner.plan().rows;
-  for (std::size_t k = 0; k < rows.size(); ++k)
+  for (std::size_t k = 0; k < rows.count; ++k)
     for (std::int32_t i = rows.begin[k]; i < rows.end[k]; ++i)
       if (i < rows.near_begin[k] || i >= rows.near_end[k]) describe({i, rows.j[k]});
   for (const SpotUpdate& spot : planner.plan().spots) describe(spot.cell);

@@ -69,7 +69,8 @@ struct Polynomial {
   int terms;
 };
 
-/// The occupied band as a chain of polynomials: increment = logit(angular(sin^2 theta) * radial(error^2)).
+/// The occupied band as a chain of polynomials: with h = angular(sin^2 theta) * radial(error^2) the increment is
+/// h * logit(h^2).
 struct BandModel {
   Polynomial angular;
   Polynomial radial;

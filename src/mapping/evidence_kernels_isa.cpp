@@ -53,20 +53,16 @@ inline double half_chord(double radius_squared, double dy, double outside) {
   return squared > 0.0 ? half : -outside;
 }
 
-void split_rows(const SplitShape& shape, const Runs& sector, const RowEdges& edges) {
-  const SplitShape s = shape;
-  const std::int32_t* __restrict j = sector.j;
-  const std::int32_t* __restrict begin = sector.begin;
-  const std::int32_t* __restrict end = sector.end;
-  std::int32_t* __restrict free_begin = edges.free_begin;
-  std::int32_t* __restrict near_begin = edges.near_begin;
-  std::int32_t* __restrict near_end = edges.near_end;
-  std::int32_t* __restrict free_end = edges.free_end;
+/// The compiler trusts that arrays do not overlap when they are parameters; as locals it would check every pair.
+void split_columns(const SplitShape s, std::int32_t count, const std::int32_t* __restrict j,
+                   const std::int32_t* __restrict begin, const std::int32_t* __restrict end,
+                   std::int32_t* __restrict free_begin, std::int32_t* __restrict near_begin,
+                   std::int32_t* __restrict near_end, std::int32_t* __restrict free_end) {
   const auto first_from = [s](double half) { return s.i_above - static_cast<std::int32_t>(s.apex_from_above + half); };
   const auto first_after = [s](double half) {
     return s.i_below + static_cast<std::int32_t>(s.apex_from_below + half) + 1;
   };
-  for (std::int32_t k = 0; k < static_cast<std::int32_t>(sector.count); ++k) {
+  for (std::int32_t k = 0; k < count; ++k) {
     const double dy = static_cast<double>(j[k]) - s.apex_j;
     const double free_half = half_chord(s.free_squared, dy, s.outside);
     const double near_half = half_chord(s.near_squared, dy, s.outside);
@@ -78,6 +74,11 @@ void split_rows(const SplitShape& shape, const Runs& sector, const RowEdges& edg
     near_end[k] = clamped(first_after(near_half), near_from, to);
     free_end[k] = to;
   }
+}
+
+void split_rows(const SplitShape& shape, const Runs& sector, const RowEdges& edges) {
+  split_columns(shape, static_cast<std::int32_t>(sector.count), sector.j, sector.begin, sector.end, edges.free_begin,
+                edges.near_begin, edges.near_end, edges.free_end);
 }
 
 /// A polynomial with every coefficient repeated for each lane. Loaded like any other array, the coefficients need
@@ -221,27 +222,27 @@ void add_angular(const TileRow& row, const Runs& runs, const BeamFrame& beam, co
     add_angular_terms<max_terms>(row, runs, beam, increment);
 }
 
-template <int angular_terms, int terms>
+template <int angular_terms, int radial_terms, int logit_terms>
 void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
   constexpr int lanes = 8;  // the band is a few cells deep
   const SpreadPolynomial<angular_terms, lanes> angular(band.angular);
-  const SpreadPolynomial<terms, lanes> radial(band.radial);
-  const SpreadPolynomial<terms, lanes> logit(band.logit);
+  const SpreadPolynomial<radial_terms, lanes> radial(band.radial);
+  const SpreadPolynomial<logit_terms, lanes> logit(band.logit);
   const float range_m = band.range_m;
   add_cells<lanes, Sign::rising>(row, runs, beam, [&](float squared, float across, std::int32_t l) {
     const float error = __builtin_sqrtf(squared) - range_m;
-    return logit.at(angular.at(across * across / squared, l) * radial.at(error * error, l), l);
+    const float height = angular.at(across * across / squared, l) * radial.at(error * error, l);
+    return height * logit.at(height * height, l);
   });
 }
 
 void add_band(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
-  const int terms = band.radial.terms > band.logit.terms ? band.radial.terms : band.logit.terms;
-  if (band.angular.terms == 1 && terms <= 8)
-    add_band_terms<1, 8>(row, runs, beam, band);
-  else if (band.angular.terms <= 8 && terms <= 8)
-    add_band_terms<8, 8>(row, runs, beam, band);
+  if (band.angular.terms == 1 && band.radial.terms <= 8 && band.logit.terms <= 6)
+    add_band_terms<1, 8, 6>(row, runs, beam, band);
+  else if (band.angular.terms <= 8 && band.radial.terms <= 8 && band.logit.terms <= 6)
+    add_band_terms<8, 8, 6>(row, runs, beam, band);
   else
-    add_band_terms<max_terms, max_terms>(row, runs, beam, band);
+    add_band_terms<max_terms, max_terms, max_terms>(row, runs, beam, band);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ kernels::Runs runs_of(const PlannedRows& rows, UpdateGroup::Range range, const s
 void UpdatePlan::clear() {
   beams.clear();
   groups.clear();
-  rows.resize(0);
+  rows.count = 0;
   spots.clear();
 }
 
@@ -84,7 +84,8 @@ EvidenceGrid::Planner::Planner(const EvidenceGridOptions& options) : options_(op
 std::optional<BeamReach> EvidenceGrid::Planner::reach_of(const Reading& reading) const {
   const auto echo_m = echo_range_m(reading.outcome);
   const double band_m = band_sigmas * options_.range_sigma_m;
-  BeamReach reach{.near_m = reading.range_min_m};
+  BeamReach reach;
+  reach.near_m = reading.range_min_m;
   if (echo_m) {
     reach.echo_m = echo_m;
     reach.free_to_m = *echo_m - band_m;
@@ -97,7 +98,8 @@ std::optional<BeamReach> EvidenceGrid::Planner::reach_of(const Reading& reading)
   Reading at_rim = reading;
   at_rim.outcome = Echo{reach.outer_m};
   const auto rim = arc_of(at_rim);
-  if (!rim || (echo_m && !arc_of(reading))) return std::nullopt;
+  // A path that is long enough at the rim may be too short at the echo; a monostatic one cannot.
+  if (!rim || (echo_m && !reading.monostatic() && !arc_of(reading))) return std::nullopt;
   reach.rim = *rim;
   return reach;
 }
@@ -124,7 +126,7 @@ const FittedBeam& EvidenceGrid::Planner::beam_of(const Reading& reading) {
 
 bool EvidenceGrid::Planner::add_groups(std::span<const RowSpan> spans, Map& grid) {
   const std::size_t groups_before = plan_.groups.size();
-  std::size_t row = plan_.rows.size();
+  std::size_t row = plan_.rows.count;
   while (!spans.empty()) {
     const auto rows = rows_of_one_tile(spans);
     spans = spans.subspan(rows.size());
@@ -146,15 +148,16 @@ bool EvidenceGrid::Planner::add_groups(std::span<const RowSpan> spans, Map& grid
 
 void EvidenceGrid::Planner::add_rows(std::span<const RowSpan> spans, const BeamReach& reach) {
   PlannedRows& rows = plan_.rows;
-  const std::size_t first = rows.size();
-  rows.resize(first + spans.size());
+  const std::size_t first = rows.count;
+  rows.make_room(spans.size());
+  rows.count += spans.size();
   for (std::size_t k = 0; k < spans.size(); ++k) {
     rows.j[first + k] = spans[k].j;
     rows.begin[first + k] = spans[k].i_begin;
     rows.end[first + k] = spans[k].i_end;
   }
   kernels::evidence_kernels().split_rows(split_shape(reach, raster_.geometry()),
-                                         runs_of(rows, {first, rows.size()}, rows.begin, rows.end),
+                                         runs_of(rows, {first, rows.count}, rows.begin, rows.end),
                                          {rows.free_begin.data() + first, rows.near_begin.data() + first,
                                           rows.near_end.data() + first, rows.free_end.data() + first});
 }

@@ -51,13 +51,15 @@ struct PlannedBeam {
 };
 
 /// The rows of planned sectors, as parallel arrays. From left to right a row is band, free, too near, free, band; each
-/// part may be empty.
+/// part may be empty. The arrays only grow: what lies beyond `count` is left from before.
 struct PlannedRows {
   std::vector<std::int32_t> j, begin, free_begin, near_begin, near_end, free_end, end;
+  std::size_t count = 0;
 
-  [[nodiscard]] std::size_t size() const { return j.size(); }
-  void resize(std::size_t count) {
-    for (auto* column : {&j, &begin, &free_begin, &near_begin, &near_end, &free_end, &end}) column->resize(count);
+  void make_room(std::size_t more) {
+    if (count + more <= j.size()) return;
+    for (auto* column : {&j, &begin, &free_begin, &near_begin, &near_end, &free_end, &end})
+      column->resize(2 * (count + more));
   }
 };
 
@@ -70,7 +72,7 @@ struct UpdatePlan {
   std::vector<SpotUpdate> spots;
 
   void clear();
-  [[nodiscard]] std::size_t size() const { return rows.size() + spots.size(); }
+  [[nodiscard]] std::size_t size() const { return rows.count + spots.size(); }
 };
 
 /// Where a reading says something: out to `outer_m`, free to `free_to_m`, a band beyond it if there was an echo.

@@ -67,6 +67,30 @@ std::optional<kernels::Polynomial> fit_polynomial(const std::function<double(dou
   return std::nullopt;
 }
 
+namespace {
+
+std::optional<kernels::BandModel> fit_band(const InverseSonarModel& model,
+                                           const std::function<Angle(double)>& angle_of) {
+  const double edge = sin(model.half_width) * sin(model.half_width);
+  const double depth_m = band_sigmas * model.range_sigma_m;
+  const auto angular =
+      fit_polynomial([&](double s) { return model.angular_factor(angle_of(s)); }, edge, factor_tolerance);
+  const auto radial =
+      fit_polynomial([&](double e) { return std::exp(-0.5 * e / (model.range_sigma_m * model.range_sigma_m)); },
+                     depth_m * depth_m, factor_tolerance);
+  // The log-odds are odd in the height h. Their quotient by h is even, and a polynomial of h^2 needs half the terms.
+  const double amplitude = model.occupied_peak - 0.5;
+  const auto quotient = [&](double h_squared) {
+    const double h = std::max(std::sqrt(h_squared), 1e-4);  // below it the quotient is flat to 1e-8
+    return log_odds(0.5 + amplitude * h) / (h * log_odds_unit);
+  };
+  const auto logit = fit_polynomial(quotient, 1.0, log_odds_tolerance_units);
+  if (!angular || !radial || !logit) return std::nullopt;
+  return kernels::BandModel{*angular, *radial, *logit, 0.0F};
+}
+
+}  // namespace
+
 FittedBeam fit_beam(const InverseSonarModel& model, double free_weight) {
   FittedBeam beam{model, free_weight, {}, {}};
   const double edge = sin(model.half_width) * sin(model.half_width);
@@ -78,16 +102,7 @@ FittedBeam fit_beam(const InverseSonarModel& model, double free_weight) {
       [&](double s) { return free_weight * log_odds(model.free_probability(angle_of(s))) / log_odds_unit; }, edge,
       log_odds_tolerance_units);
 
-  const double depth_m = band_sigmas * model.range_sigma_m;
-  const auto angular =
-      fit_polynomial([&](double s) { return model.angular_factor(angle_of(s)); }, edge, factor_tolerance);
-  const auto radial =
-      fit_polynomial([&](double e) { return std::exp(-0.5 * e / (model.range_sigma_m * model.range_sigma_m)); },
-                     depth_m * depth_m, factor_tolerance);
-  const auto logit = fit_polynomial(
-      [&](double height) { return log_odds(0.5 + (model.occupied_peak - 0.5) * height) / log_odds_unit; }, 1.0,
-      log_odds_tolerance_units);
-  if (angular && radial && logit) beam.band = kernels::BandModel{*angular, *radial, *logit, 0.0F};
+  beam.band = fit_band(model, angle_of);
   return beam;
 }
 
