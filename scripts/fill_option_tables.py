@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Keeps the option tables of the docs equal to the option fields in the code.
 
-`fill_option_tables.py COMMAND [--check]` asks the built command (`COMMAND methods NAME --json`) for the options of every
+`fill_option_tables.py COMMAND [--check]` asks the built command (`COMMAND methods --json`) for the options of every
 name between `<!-- options:NAME -->` and `<!-- /options -->` in docs/, and writes the table in between. With --check it
-writes nothing and fails where a table is stale.
+writes nothing and fails where a table is stale. Either way it fails when a method of the catalogue has no table.
 """
 
 import json
@@ -17,11 +17,12 @@ DOCS = Path(__file__).resolve().parent.parent / "docs"
 BLOCK = re.compile(r"(<!-- options:([a-z_]+) -->\n).*?(<!-- /options -->)", re.S)
 
 
-def options_of(command: str, name: str) -> list[dict]:
-    answer = subprocess.run([command, "methods", name, "--json"], capture_output=True, text=True, check=False)
+def catalogue(command: str) -> dict[str, list[dict]]:
+    """The options of every method, by name, and those of `sensing`."""
+    answer = subprocess.run([command, "methods", "--json"], capture_output=True, text=True, check=False)
     if answer.returncode != 0:
-        sys.exit(f"{command} methods {name} --json: {answer.stderr.strip()}")
-    return json.loads(answer.stdout)["options"]
+        sys.exit(f"{command} methods --json: {answer.stderr.strip()}")
+    return {method["name"]: method["options"] for method in json.loads(answer.stdout)}
 
 
 def spell(value: object) -> str:
@@ -50,25 +51,29 @@ def table(options: list[dict]) -> str:
     return "\n".join([lines[0], "| --- | --- | --- | --- | --- | --- |", *lines[1:]]) + "\n"
 
 
-def filled(text: str, options_by_name) -> str:
-    return BLOCK.sub(lambda match: match[1] + table(options_by_name(match[2])) + match[3], text)
-
-
 def main() -> int:
     command, check = sys.argv[1], "--check" in sys.argv[2:]
-    stale = []
+    options = catalogue(command)
+    problems, documented = [], set()
+
+    def fill(match: re.Match) -> str:
+        documented.add(match[2])
+        if match[2] not in options:
+            problems.append(f"there is no method '{match[2]}' to fill a table of")
+            return match[0]
+        return match[1] + table(options[match[2]]) + match[3]
+
     for page in sorted(DOCS.rglob("*.md")):
         text = page.read_text()
-        new = filled(text, lambda name: options_of(command, name))
-        if new != text:
-            stale.append(page)
-            if not check:
-                page.write_text(new)
-                print(f"filled {page.relative_to(DOCS.parent)}")
-    if check and stale:
-        print("\n".join(f"{page.relative_to(DOCS.parent)}: option table is stale; run ./dev docs" for page in stale))
-        return 1
-    return 0
+        new = BLOCK.sub(fill, text)
+        if new != text and check:
+            problems.append(f"{page.relative_to(DOCS.parent)}: option table is stale; run ./dev docs")
+        elif new != text:
+            page.write_text(new)
+            print(f"filled {page.relative_to(DOCS.parent)}")
+    problems += [f"'{name}' has options but no table in docs/" for name in options if name not in documented]
+    print("\n".join(problems) if problems else f"option tables: {len(documented)} are current")
+    return 1 if problems else 0
 
 
 if __name__ == "__main__":
