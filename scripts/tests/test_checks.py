@@ -3,6 +3,7 @@
 """Every lint check is fed a bad sample here and must object to it; and a good one, and must not."""
 
 import io
+import json
 import sys
 import tempfile
 import unittest
@@ -13,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import check_arrows  # noqa: E402
 import check_house  # noqa: E402
 import check_sizes  # noqa: E402
+import fill_option_tables  # noqa: E402
 
 HEADER = "// SPDX-FileCopyrightText: 2026 The echoarc authors\n// SPDX-License-Identifier: Apache-2.0\n"
 
@@ -144,6 +146,46 @@ class Sizes(Tree):
     def test_percentile_is_nearest_rank(self):
         self.assertEqual(check_sizes.percentile(list(range(1, 101)), 0.95), 95)
         self.assertEqual(check_sizes.percentile([7], 0.95), 7)
+
+
+class OptionTables(Tree):
+    """A stand-in for the command answers `methods --json`."""
+
+    PAGE = "<!-- options:dm -->\n<!-- /options -->\n"
+
+    def setUp(self):
+        super().setUp()
+        options = [{"name": "cell_m", "type": "number", "unit": "m", "default": 0.01, "minimum": 0.001, "maximum": 10.0,
+                    "doc": "size | side", "source": ""}]
+        answer = json.dumps([{"name": "dm", "options": options}])
+        self.write("command", f"#!/bin/sh\ncat <<'END'\n{answer}\nEND\n")
+        (self.root / "command").chmod(0o755)
+        docs = fill_option_tables.DOCS
+        fill_option_tables.DOCS = self.root / "docs"
+        self.addCleanup(setattr, fill_option_tables, "DOCS", docs)
+
+    def run_main(self, *arguments: str) -> int:
+        argv, sys.argv = sys.argv, ["fill_option_tables.py", str(self.root / "command"), *arguments]
+        try:
+            with redirect_stdout(io.StringIO()):
+                return fill_option_tables.main()
+        finally:
+            sys.argv = argv
+
+    def test_stale_table_fails_until_it_is_filled(self):
+        self.write("docs/dm.md", self.PAGE)
+        self.assertEqual(self.run_main("--check"), 1)
+        self.assertEqual(self.run_main(), 0)
+        self.assertIn("| `cell_m` | 0.01 | m | 0.001 … 10 | size \\| side |  |", (self.root / "docs/dm.md").read_text())
+        self.assertEqual(self.run_main("--check"), 0)
+
+    def test_method_without_a_table_fails(self):
+        self.write("docs/dm.md", "nothing here\n")
+        self.assertEqual(self.run_main("--check"), 1)
+
+    def test_table_of_an_unknown_method_fails(self):
+        self.write("docs/dm.md", self.PAGE + self.PAGE.replace("dm", "magic"))
+        self.assertEqual(self.run_main(), 1)
 
 
 if __name__ == "__main__":
