@@ -25,6 +25,11 @@ bool is(Key key, std::string_view name) {
   return key.unsafe_is_equal(name);
 }
 
+bool is_null(simdjson::ondemand::value& value) {
+  bool null = false;
+  return value.is_null().get(null) == simdjson::SUCCESS && null;  // "nul" is an error, and no null
+}
+
 }  // namespace
 
 bool JsonlRecords::fail(std::string_view cause) {
@@ -136,7 +141,7 @@ bool JsonlRecords::read_scan(Object& record, Log& log) {
   scan.line = line_;
   const auto read_beam = [&](Value value) {
     double range_m = std::numeric_limits<double>::quiet_NaN();
-    if (!value.is_null() && !number("a range", value, range_m)) return false;
+    if (!is_null(value) && !number("a range", value, range_m)) return false;
     if (std::abs(range_m) > std::numeric_limits<float>::max()) return fail("a range of the scan is too large");
     scan.ranges_m.push_back(static_cast<float>(range_m));
     return true;
@@ -165,7 +170,7 @@ bool JsonlRecords::read_poll(Object& record, Log& log) {
   poll.line = line_;
   const auto read_register = [&](Value value) {
     double range_m = std::numeric_limits<double>::quiet_NaN();
-    if (!value.is_null() && !range("a range", value, range_m)) return false;
+    if (!is_null(value) && !range("a range", value, range_m)) return false;
     poll.ranges_m.push_back(range_m);
     return true;
   };

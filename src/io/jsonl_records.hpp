@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+// Without its exceptions every result of the parser must be looked at: a conversion that could throw does not compile.
+#define SIMDJSON_EXCEPTIONS 0
 #include <simdjson.h>
 
 #include "echoarc/core/log.hpp"

@@ -128,6 +128,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadRecord{R"({"type":"ping","t":0,"tx":0,"rx":0,"range":1.5)", "not a JSON object"},
         BadRecord{R"({"type":"scan","t":0,"angle_min":0,"angle_step":1,"ranges":[1e39]})", "too large"},
         BadRecord{R"({"type":"scan","t":0,"angle_min":0,"angle_step":1,"ranges":7})", "ranges is not a list"},
+        BadRecord{R"({"type":"scan","t":0,"angle_min":0,"angle_step":1,"ranges":[nul]})", "a range is not"},
+        BadRecord{R"({"type":"poll","t":0,"ranges":[nul]})", "a range is neither"},
         BadRecord{R"({"type":"scan","t":0,"ranges":[1]})", "angle_min"},
         BadRecord{R"({"type":"poll","t":0})", "ranges of the poll is missing"},
         BadRecord{R"({"type":"wall","t":0,"side":"up"})", "side is none of"},
