@@ -38,32 +38,32 @@ std::string metres(double value) {
 
 NoEchoDecision describe_no_echo(const Sensor& sensor) {
   const double max_m = sensor.model.range_max_m;
-  const std::string who = "sensor " + std::to_string(sensor.id) + ": ";
-  NoEchoDecision decision{.sensor = sensor.id, .implausible_m = 2.0 * max_m, .sentence = {}};
+  NoEchoDecision decision{.sensor = sensor.id, .implausible_m = 2.0 * max_m, .sentence = {}, .rule = {}};
   switch (sensor.model.no_echo.kind) {
     case NoEchoRule::Kind::automatic:
       decision.zero_is_no_echo = true;
       decision.from_m = max_m;
-      decision.sentence = who + "+Inf, 0, -1 and values from the maximum of " + metres(max_m) + " to " +
-                          metres(2.0 * max_m) + " are read as no echo; no log was looked at";
+      decision.rule = "+Inf, 0, -1 and values from the maximum of " + metres(max_m) + " to " + metres(2.0 * max_m) +
+                      " are read as no echo; no log was looked at";
       break;
-    case NoEchoRule::Kind::inf: decision.sentence = who + "+Inf alone is no echo, as described"; break;
+    case NoEchoRule::Kind::inf: decision.rule = "+Inf alone is no echo, as described"; break;
     case NoEchoRule::Kind::nan:
       decision.nan_is_no_echo = true;
-      decision.sentence = who + "NaN and +Inf are no echo, as described";
+      decision.rule = "NaN and +Inf are no echo, as described";
       break;
     case NoEchoRule::Kind::zero:
       decision.zero_is_no_echo = true;
       decision.below_is_no_echo = true;
-      decision.sentence = who + "0, negative values and +Inf are no echo, as described";
+      decision.rule = "0, negative values and +Inf are no echo, as described";
       break;
     case NoEchoRule::Kind::max:
     case NoEchoRule::Kind::above:
       decision.from_m = sensor.model.no_echo.kind == NoEchoRule::Kind::max ? max_m : sensor.model.no_echo.above_m;
       decision.implausible_m = std::numeric_limits<double>::infinity();
-      decision.sentence = who + "values of " + metres(decision.from_m) + " and above are no echo, as described";
+      decision.rule = "values of " + metres(decision.from_m) + " and above are no echo, as described";
       break;
   }
+  decision.sentence = "sensor " + std::to_string(sensor.id) + ": " + decision.rule;
   return decision;
 }
 

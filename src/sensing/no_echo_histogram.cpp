@@ -113,21 +113,17 @@ class Sentence {
 
   void code(const Code& code, std::span<const Run> runs) {
     const std::size_t here = count([&](double v) { return v == code.run.value_m; });
-    clauses_.push_back(to_text(code.run.value_m) + " m" + of_readings(here, values_.size()) + why_code(code, runs));
+    add(to_text(code.run.value_m) + " m", here, why_code(code, runs));
   }
   template <class Predicate>
   void if_any(Predicate&& predicate, std::string_view subject, std::string_view verdict) {
     const std::size_t found = count(predicate);
-    if (found > 0) clauses_.push_back(std::string(subject) + of_readings(found, values_.size()) + std::string(verdict));
+    if (found > 0) add(std::string(subject), found, std::string(verdict));
   }
-  [[nodiscard]] std::string text() const {
-    std::string joined = "sensor " + std::to_string(sensor_.id) + ": ";
-    if (clauses_.empty())
-      return joined + "no value stands for no echo; one of " + to_text(sensor_.model.range_max_m) +
-             " m or more would, as would 0, -1 and +Inf";
-    for (const std::string& clause : clauses_) joined += (&clause == &clauses_.front() ? "" : "; ") + clause;
-    return joined;
-  }
+  /// With the sensor and how many of its readings each clause concerns.
+  [[nodiscard]] std::string text() const { return "sensor " + std::to_string(sensor_.id) + ": " + joined(clauses_); }
+  /// Without them.
+  [[nodiscard]] std::string rule() const { return joined(rules_); }
 
  private:
   template <class Predicate>
@@ -135,9 +131,23 @@ class Sentence {
     return static_cast<std::size_t>(std::ranges::count_if(values_, predicate));
   }
 
+  void add(const std::string& subject, std::size_t readings, const std::string& verdict) {
+    clauses_.push_back(subject + of_readings(readings, values_.size()) + verdict);
+    rules_.push_back(subject + verdict);
+  }
+  [[nodiscard]] std::string joined(const std::vector<std::string>& clauses) const {
+    if (clauses.empty())
+      return "no value stands for no echo; one of " + to_text(sensor_.model.range_max_m) +
+             " m or more would, as would 0, -1 and +Inf";
+    std::string text;
+    for (const std::string& clause : clauses) text += (text.empty() ? "" : "; ") + clause;
+    return text;
+  }
+
   const Sensor& sensor_;
   std::span<const double> values_;
   std::vector<std::string> clauses_;
+  std::vector<std::string> rules_;
 };
 
 NoEchoDecision decide(const Sensor& sensor, std::span<const double> values, const std::optional<Code>& code,
@@ -162,6 +172,7 @@ NoEchoDecision decide(const Sensor& sensor, std::span<const double> values, cons
   sentence.if_any([](double v) { return std::isnan(v); }, "NaN",
                   " is read as a failed measurement; if it means no echo, set no_echo = \"nan\"");
   decision.sentence = sentence.text();
+  decision.rule = sentence.rule();
   return decision;
 }
 

@@ -25,6 +25,7 @@ struct NoEchoDecision {
   double implausible_m = std::numeric_limits<double>::infinity();  ///< ... here; beyond, the range is implausible
   double code_m = std::numeric_limits<double>::quiet_NaN();        ///< this very value is no echo, however large it is
   std::string sentence;                                            ///< what was decided and why, for people
+  std::string rule;  ///< the same without the sensor and its counts: equal for sensors that are read alike
 };
 
 /// The rule of a description carried out to the letter; for `automatic`, what can be said without having seen a log:
