@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/eval_input.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "echoarc/io/map_server.hpp"
+#include "echoarc/io/positions_csv.hpp"
+
+namespace echoarc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_map_file(const fs::path& path) {
+  return path.extension() == ".yaml" || path.extension() == ".yml";
+}
+
+Result<PointSet> load_occupied(const fs::path& map_yaml) {
+  const Result<DenseGrid<CellState>> grid = io::read_map_yaml(map_yaml);
+  if (!grid) return grid.error();
+  return PointSet::of_occupied(*grid);
+}
+
+/// A folder with grid.json belongs to a method of cells; its points.csv only repeats them.
+Result<PointSet> load_method(const fs::path& folder) {
+  if (fs::exists(folder / "grid.json") || !fs::exists(folder / "points.csv")) return load_occupied(folder / "map.yaml");
+  Result<std::vector<Vec2>> points = io::read_positions_csv(folder / "points.csv");
+  if (!points) return points.error();
+  return PointSet::make(std::move(*points));
+}
+
+std::vector<fs::path> method_folders(const fs::path& folder) {
+  if (fs::exists(folder / "map.yaml")) return {folder};
+  std::vector<fs::path> folders;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (fs::exists(entry.path() / "map.yaml")) folders.push_back(entry.path());
+  std::ranges::sort(folders);
+  return folders;
+}
+
+std::string name_of(const fs::path& folder) {
+  return fs::absolute(folder).lexically_normal().filename().string();
+}
+
+Result<std::vector<NamedMap>> one_map(std::string name, Result<PointSet> points) {
+  if (!points) return points.error();
+  return std::vector<NamedMap>{{std::move(name), std::move(*points)}};
+}
+
+}  // namespace
+
+Result<std::vector<NamedMap>> load_maps(const fs::path& path) {
+  if (!fs::exists(path))
+    return Error{ErrorCode::not_found, "there is no such map", path.string(), "make one with `echoarc map LOG -o DIR`"};
+  if (!fs::is_directory(path)) return one_map(path.stem().string(), load_occupied(path));
+  std::vector<NamedMap> maps;
+  for (const fs::path& folder : method_folders(path)) {
+    Result<PointSet> points = load_method(folder);
+    if (!points) return points.error();
+    maps.push_back({name_of(folder), std::move(*points)});
+  }
+  if (maps.empty())
+    return Error{ErrorCode::not_found, "no map.yaml in this folder or one below it", path.string(),
+                 "give a folder that `echoarc map` wrote, or a map.yaml"};
+  return maps;
+}
+
+Result<Reference> load_reference(const LogArguments& arguments) {
+  const fs::path& path = arguments.log;
+  const fs::path map_yaml = fs::is_directory(path) ? path / "map.yaml" : path;
+  if (is_map_file(map_yaml) && fs::exists(map_yaml)) {
+    const Result<DenseGrid<CellState>> grid = io::read_map_yaml(map_yaml);
+    if (!grid) return grid.error();
+    return map_reference(*grid, path.string());
+  }
+  if (path.extension() == ".csv" && arguments.description.empty()) {
+    const Result<std::vector<Polyline>> polylines = io::read_polylines_csv(path);
+    if (!polylines) return polylines.error();
+    return polyline_reference(*polylines, path.string());
+  }
+  const Result<Log> log = load_log(arguments);
+  if (!log) return log.error();
+  warn_of(log->report);
+  return laser_reference(*log);
+}
+
+Result<PointSet> load_path(const fs::path& maps, const fs::path& given) {
+  fs::path file = given;
+  const fs::path folder = fs::is_directory(maps) ? maps : maps.parent_path();
+  for (const fs::path& candidate : {folder / io::path_csv_name, folder / ".." / io::path_csv_name})
+    if (file.empty() && fs::exists(candidate)) file = candidate;
+  if (file.empty()) return PointSet{};
+  Result<std::vector<Vec2>> positions = io::read_positions_csv(file);
+  if (!positions) return positions.error();
+  return PointSet::make(std::move(*positions));
+}
+
+}  // namespace echoarc::cli

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/log_input.hpp"
+#include "echoarc/core/result.hpp"
+#include "echoarc/eval/point_set.hpp"
+#include "echoarc/eval/reference.hpp"
+
+namespace echoarc::cli {
+
+/// A map to be scored.
+struct NamedMap {
+  std::string name;
+  PointSet points;
+};
+
+/// The maps behind `path`: every method of an output folder of `map`, one method's folder, or a map.yaml. Of a grid the
+/// centres of its occupied cells, of a method of points the points themselves.
+[[nodiscard]] Result<std::vector<NamedMap>> load_maps(const std::filesystem::path& path);
+
+/// What the maps are held against: a polyline CSV, a map.yaml (or the folder it lies in), or else a log with a laser.
+[[nodiscard]] Result<Reference> load_reference(const LogArguments& arguments);
+
+/// Where the robot was: from `given`, else from the path.csv of the output folder `maps` lies in. Without either the
+/// set is empty.
+[[nodiscard]] Result<PointSet> load_path(const std::filesystem::path& maps, const std::filesystem::path& given);
+
+}  // namespace echoarc::cli

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "echoarc/core/options.hpp"
+#include "echoarc/core/result.hpp"
+#include "echoarc/sensing/sensing_options.hpp"
+
+namespace echoarc::cli {
+
+/// What the command line says about methods and options.
+struct SettingArguments {
+  std::vector<std::string> methods{"dm", "evidence"};  ///< "all" alone: the whole catalogue
+  std::vector<std::string> settings;                   ///< of --set, in their order: a later one wins
+  std::filesystem::path config;                        ///< TOML with a table per method and `sensing`; empty: none
+};
+
+/// Which methods run, and with what.
+struct MapSettings {
+  std::vector<std::string> methods;  ///< names of the catalogue, no two alike
+  OptionMap sensing;
+  std::map<std::string, OptionMap> options;  ///< by method; what was given, defaults left out
+};
+
+/// An error, and whether the command line or a file is to blame.
+struct SettingFault {
+  Error error;
+  bool command_line = true;
+};
+
+/// Config file first, --set over it. `METHOD.OPTION` and `sensing.OPTION` name their owner; a bare `OPTION` is given to
+/// every chosen method that has it, or to sensing where none has.
+[[nodiscard]] std::variant<MapSettings, SettingFault> resolve_settings(const SettingArguments& arguments);
+
+}  // namespace echoarc::cli

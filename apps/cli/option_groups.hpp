@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "echoarc/core/options.hpp"
+
+namespace echoarc::cli {
+
+/// Options that are set under one name: `--set NAME.OPTION=VALUE`. Every method of the catalogue is a group, and so is
+/// `sensing`, which all methods share.
+struct OptionGroup {
+  std::string_view name;
+  std::string_view title;
+  std::string_view summary;
+  std::string_view source;
+  std::vector<OptionSpec> specs;
+};
+
+/// `sensing`, then the methods in the order of the catalogue.
+[[nodiscard]] std::vector<OptionGroup> option_groups();
+
+/// A value in its own JSON type.
+[[nodiscard]] nlohmann::ordered_json to_json(const OptionValue& value);
+/// Names and values.
+[[nodiscard]] nlohmann::ordered_json to_json(const OptionMap& values);
+/// Everything `methods` knows of an option.
+[[nodiscard]] nlohmann::ordered_json to_json(const OptionSpec& spec);
+/// JSON Schema (2020-12) of a configuration: one object per group, one property per option.
+[[nodiscard]] nlohmann::ordered_json json_schema(std::span<const OptionGroup> groups);
+
+}  // namespace echoarc::cli
