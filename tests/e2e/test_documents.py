@@ -15,6 +15,7 @@ PAGES = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "do
 
 FENCED = re.compile(r"^```[a-z]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 INLINE = re.compile(r"`(echoarc [^`\n]+)`")
+BARE_VERB = re.compile(r"^echoarc (?!methods$)[a-z]+$")  # speaks of the verb; all but `methods` need an argument
 PLACEHOLDER = re.compile(r"(?<![\w./-])[A-Z]{2,}(?![\w.])|<[a-z]+>")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 
@@ -25,7 +26,8 @@ def commands(text):
     for block in FENCED.finditer(text):
         for line in re.finditer(r"^echoarc .*$", block[1], re.MULTILINE):
             found.append((block.start(1) + line.start(), line[0]))
-    return [command for _, command in sorted(found) if not PLACEHOLDER.search(command.split("#")[0])]
+    return [command for _, command in sorted(found)
+            if not PLACEHOLDER.search(command.split("#")[0]) and not BARE_VERB.match(command)]
 
 
 def sample_log():
