@@ -205,17 +205,17 @@ inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& fra
 template <int terms>
 void add_angular_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment) {
   constexpr int lanes = 16;
-  const SpreadPolynomial<terms, lanes> of_sine_squared(increment);
+  const SpreadPolynomial<terms, lanes> angular(increment);
+  const float bend = increment.bend;
   add_cells<lanes, Sign::falling>(row, runs, beam, [&](float squared, float across, std::int32_t l) {
-    return of_sine_squared.at(across * across / squared, l);
+    const float across_squared = across * across;
+    return angular.at(across_squared / (squared + bend * across_squared), l);
   });
 }
 
 void add_angular(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment) {
-  if (increment.terms <= 4)
-    add_angular_terms<4>(row, runs, beam, increment);
-  else if (increment.terms <= 6)
-    add_angular_terms<6>(row, runs, beam, increment);
+  if (increment.terms <= 5)  // the default beam
+    add_angular_terms<5>(row, runs, beam, increment);
   else if (increment.terms <= 8)
     add_angular_terms<8>(row, runs, beam, increment);
   else
@@ -229,18 +229,22 @@ void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam,
   const SpreadPolynomial<radial_terms, lanes> radial(band.radial);
   const SpreadPolynomial<logit_terms, lanes> logit(band.logit);
   const float range_m = band.range_m;
+  const float bend = band.angular.bend;
   add_cells<lanes, Sign::rising>(row, runs, beam, [&](float squared, float across, std::int32_t l) {
     const float error = __builtin_sqrtf(squared) - range_m;
-    const float height = angular.at(across * across / squared, l) * radial.at(error * error, l);
+    const float across_squared = across * across;
+    const float height =
+        angular.at(across_squared / (squared + bend * across_squared), l) * radial.at(error * error, l);
     return height * logit.at(height * height, l);
   });
 }
 
 void add_band(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
-  if (band.angular.terms == 1 && band.radial.terms <= 8 && band.logit.terms <= 6)
-    add_band_terms<1, 8, 6>(row, runs, beam, band);
-  else if (band.angular.terms <= 8 && band.radial.terms <= 8 && band.logit.terms <= 6)
-    add_band_terms<8, 8, 6>(row, runs, beam, band);
+  const bool usual = band.radial.terms <= 7 && band.logit.terms <= 5;  // up to the default certainty
+  if (usual && band.angular.terms == 1)
+    add_band_terms<1, 7, 5>(row, runs, beam, band);
+  else if (usual && band.angular.terms <= 6)
+    add_band_terms<6, 7, 5>(row, runs, beam, band);
   else
     add_band_terms<max_terms, max_terms, max_terms>(row, runs, beam, band);
 }

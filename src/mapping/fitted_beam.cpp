@@ -69,12 +69,28 @@ std::optional<kernels::Polynomial> fit_polynomial(const std::function<double(dou
 
 namespace {
 
+/// The shortest polynomial in y = s / (1 + bend s) that follows a function of s = sin^2 theta on [0, edge]. The
+/// log-odds of a gaussian beam have a singularity close behind s = 0 and others off the axis; bending s moves the first
+/// away without drawing the others near.
+std::optional<kernels::Polynomial> fit_angular(const std::function<double(double)>& of_sine_squared, double edge,
+                                               double tolerance) {
+  std::optional<kernels::Polynomial> best;
+  for (const double edge_bend : {0.0, 0.5, 1.0, 1.5, 2.0}) {
+    const double bend = edge_bend / edge;
+    auto fit = fit_polynomial([&](double y) { return of_sine_squared(std::min(y / (1.0 - bend * y), edge)); },
+                              edge / (1.0 + edge_bend), tolerance);
+    if (!fit || (best && best->terms <= fit->terms)) continue;
+    fit->bend = static_cast<float>(bend);
+    best = fit;
+  }
+  return best;
+}
+
 std::optional<kernels::BandModel> fit_band(const InverseSonarModel& model,
                                            const std::function<Angle(double)>& angle_of) {
   const double edge = sin(model.half_width) * sin(model.half_width);
   const double depth_m = band_sigmas * model.range_sigma_m;
-  const auto angular =
-      fit_polynomial([&](double s) { return model.angular_factor(angle_of(s)); }, edge, factor_tolerance);
+  const auto angular = fit_angular([&](double s) { return model.angular_factor(angle_of(s)); }, edge, factor_tolerance);
   const auto radial =
       fit_polynomial([&](double e) { return std::exp(-0.5 * e / (model.range_sigma_m * model.range_sigma_m)); },
                      depth_m * depth_m, factor_tolerance);
@@ -98,9 +114,9 @@ FittedBeam fit_beam(const InverseSonarModel& model, double free_weight) {
   const auto angle_of = [&](double sin_squared) {
     return std::min(radians(std::asin(std::sqrt(std::min(sin_squared, 1.0)))), model.half_width);
   };
-  beam.free = fit_polynomial(
-      [&](double s) { return free_weight * log_odds(model.free_probability(angle_of(s))) / log_odds_unit; }, edge,
-      log_odds_tolerance_units);
+  beam.free =
+      fit_angular([&](double s) { return free_weight * log_odds(model.free_probability(angle_of(s))) / log_odds_unit; },
+                  edge, log_odds_tolerance_units);
 
   beam.band = fit_band(model, angle_of);
   return beam;
