@@ -116,29 +116,45 @@ struct SpreadPolynomial {
 /// Which way a kernel can move a cell: saturation then needs looking at on one side only, and fits into 16 bits.
 enum class Sign { falling, rising };
 
-/// value + change, kept within 16 bits without leaving them.
+/// value + change, kept within 16 bits without leaving them: a sum that wrapped lies on the wrong side of the value.
 template <Sign sign>
 inline std::int16_t saturating_sum(std::int16_t value, std::int16_t change) {
-  if constexpr (sign == Sign::falling) {
-    const auto limit = static_cast<std::int16_t>(lowest - change);
-    return static_cast<std::int16_t>((value < limit ? limit : value) + change);
-  } else {
-    const auto limit = static_cast<std::int16_t>(highest - change);
-    return static_cast<std::int16_t>((value > limit ? limit : value) + change);
-  }
+  const auto sum = static_cast<std::int16_t>(value + change);
+  if constexpr (sign == Sign::falling)
+    return sum > value ? static_cast<std::int16_t>(lowest) : sum;
+  else
+    return sum < value ? static_cast<std::int16_t>(highest) : sum;
 }
+
+/// As many zeros as a tile's row has cells, then as many -1 (all bits): from 64 - k on, the cells l >= k of a row.
+struct Steps {
+  alignas(32) std::int16_t values[2 * tile_size];
+
+  constexpr Steps() : values{} {
+    for (std::int32_t k = tile_size; k < 2 * tile_size; ++k) values[k] = -1;
+  }
+};
+constexpr Steps steps;
+
+/// The cells begin <= l < end of a tile's row as bit masks, read from memory instead of compared for.
+struct Inside {
+  const std::int16_t* from_begin;
+  const std::int16_t* from_end;
+
+  Inside(std::int32_t begin, std::int32_t end)
+      : from_begin(steps.values + tile_size - begin), from_end(steps.values + tile_size - end) {}
+  [[nodiscard]] std::int16_t keep(std::int16_t change, std::int32_t l) const {
+    return static_cast<std::int16_t>(change & from_begin[l] & ~from_end[l]);
+  }
+};
 
 template <Sign sign>
 void add_constant_signed(const TileRow& row, const Runs& runs, std::int16_t increment) {
   // A segment is handled as the whole row of its tile: four vectors of 16 cells, and no branch to mispredict.
   for (std::size_t k = 0; k < runs.count; ++k) {
     for_each_segment(row, runs, k, [&](std::int16_t* cells, std::int32_t, std::int32_t begin, std::int32_t end) {
-      const auto first = static_cast<std::int16_t>(begin);
-      const auto last = static_cast<std::int16_t>(end);
-      for (std::int16_t l = 0; l < tile_size; ++l) {
-        const auto inside = static_cast<std::int16_t>(-((l >= first) & (l < last)));  // all bits, or none
-        cells[l] = saturating_sum<sign>(cells[l], static_cast<std::int16_t>(increment & inside));
-      }
+      const Inside inside(begin, end);
+      for (std::int32_t l = 0; l < tile_size; ++l) cells[l] = saturating_sum<sign>(cells[l], inside.keep(increment, l));
     });
   }
 }
@@ -176,8 +192,7 @@ inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& fra
     for_each_segment(row, runs, k, [&](std::int16_t* cells, std::int32_t i, std::int32_t begin, std::int32_t end) {
       const float first_dx = beam.offset_x_m + static_cast<float>(i - beam.apex_i) * beam.cell_m;
       const float first_across = row_across - beam.axis_y * first_dx;
-      const auto first = static_cast<std::int16_t>(begin);
-      const auto last = static_cast<std::int16_t>(end);
+      const Inside inside(begin, end);
       for (std::int32_t block = begin & ~(lanes - 1); block < end; block += lanes) {
         // Two loops, so that each is vectorised at the full width of its type. Unrolled early, they would be out of
         // reach of the vectoriser.
@@ -188,14 +203,11 @@ inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& fra
           const float across = first_across - offsets.across[block + l];
           change[l] = rounded_bits(increment(dx * dx + dy_squared, across, l));
         }
-        std::int16_t* own = cells + block;
-        const auto column = static_cast<std::int16_t>(block);
 #pragma GCC unroll 1
-        for (std::int16_t l = 0; l < lanes; ++l) {
-          const auto c = static_cast<std::int16_t>(column + l);
-          const auto inside = static_cast<std::int16_t>(-((c >= first) & (c < last)));  // all bits, or none
-          own[l] =
-              saturating_sum<sign>(own[l], static_cast<std::int16_t>(static_cast<std::int16_t>(change[l]) & inside));
+#pragma GCC ivdep  // the masks are no cells
+        for (std::int32_t l = 0; l < lanes; ++l) {
+          const auto rounded = static_cast<std::int16_t>(change[l]);
+          cells[block + l] = saturating_sum<sign>(cells[block + l], inside.keep(rounded, block + l));
         }
       }
     });
