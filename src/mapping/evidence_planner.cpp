@@ -92,6 +92,7 @@ std::optional<BeamReach> EvidenceGrid::Planner::reach_of(const Reading& reading)
     reach.outer_m = *echo_m + band_m;
   } else if (is_no_echo(reading.outcome) && options_.no_echo_weight > 0.0) {
     reach.free_to_m = reach.outer_m = std::min(reading.trusted_range_m, reading.range_max_m);
+    if (reach.outer_m <= reach.near_m) return std::nullopt;  // trusted nowhere: clears nothing
   } else {
     return std::nullopt;
   }

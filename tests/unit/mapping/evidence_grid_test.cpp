@@ -81,6 +81,17 @@ TEST(EvidenceGrid, SilenceClearsToTheTrustedRangeAtHalfWeight) {
   EXPECT_EQ(grid.cell_log_odds({2, 0}), 0.0) << "0.1 m is nearer than the sensor can see";
 }
 
+TEST(EvidenceGrid, SilenceWithoutATrustedRangeSaysNothing) {
+  Reading silence = echo_at({}, 1.0);
+  silence.outcome = NoEcho{};
+  for (const double trusted_m : {0.0, silence.range_min_m}) {
+    silence.trusted_range_m = trusted_m;
+    const EvidenceGrid grid = grid_with({}, {&silence, 1});
+    EXPECT_EQ(grid.counters().no_information, 1U);
+    EXPECT_EQ(grid.counters().used, 0U);
+  }
+}
+
 TEST(EvidenceGrid, ClearedThousandTimesIsOccupiedAfterAFewEchoes) {
   const EvidenceGridOptions options{.origin_x_m = -0.025, .origin_y_m = -0.025};
   const Cell cell{20, 0};  // centre (1, 0)
