@@ -8,6 +8,7 @@
 
 #include "echoarc/io/map_server.hpp"
 #include "echoarc/io/positions_csv.hpp"
+#include "echoarc/mapping/catalog.hpp"
 
 namespace echoarc::cli {
 namespace {
@@ -32,18 +33,25 @@ Result<PointSet> load_method(const fs::path& folder) {
   return PointSet::make(std::move(*points));
 }
 
+std::string name_of(const fs::path& folder) {
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+/// Methods in the order of the catalogue, everything else after them.
+std::size_t catalogue_place(const fs::path& folder) {
+  const std::string name = name_of(folder);
+  return static_cast<std::size_t>(std::ranges::find(catalog(), name, &MethodEntry::name) - catalog().begin());
+}
+
 std::vector<fs::path> method_folders(const fs::path& folder) {
   if (fs::exists(folder / "map.yaml")) return {folder};
   std::vector<fs::path> folders;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (fs::exists(entry.path() / "map.yaml")) folders.push_back(entry.path());
-  std::ranges::sort(folders);
+  std::ranges::sort(folders, {}, [](const fs::path& path) { return std::pair(catalogue_place(path), path); });
   return folders;
-}
-
-std::string name_of(const fs::path& folder) {
-  return fs::absolute(folder).lexically_normal().filename().string();
 }
 
 Result<std::vector<NamedMap>> one_map(std::string name, Result<PointSet> points) {

@@ -32,10 +32,10 @@ void print_pings(const Log& log, const SensingReport& sensing) {
   fmt::print("  accepted {}: {} echo, {} no echo, {} too close\n", sensing.accepted(), sensing.echoes,
              sensing.no_echoes, sensing.too_close);
   fmt::print("  rejected {}\n", sensing.rejected_pings.total());
-  print_rejected(sensing.rejected_pings, "pings");
+  print_rejected(sensing.rejected_pings, "ping");
   if (sensing.rejected_odometry.total() > 0) {
     fmt::print("  rejected poses {}\n", sensing.rejected_odometry.total());
-    print_rejected(sensing.rejected_odometry, "odometry records");
+    print_rejected(sensing.rejected_odometry, "odometry record");
   }
 }
 

@@ -3,10 +3,11 @@
 
 #include "cli/option_groups.hpp"
 
-#include <cmath>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "echoarc/io/config.hpp"
 #include "echoarc/mapping/catalog.hpp"
 #include "echoarc/sensing/sensing_options.hpp"
 
@@ -15,30 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view schema_type(OptionKind kind) {
-  switch (kind) {
-    case OptionKind::boolean: return "boolean";
-    case OptionKind::integer: return "integer";
-    case OptionKind::real: return "number";
-    case OptionKind::choice: return "string";
-  }
-  return "string";
-}
-
-/// The legal range or choices under the keywords of JSON Schema.
-void put_limits(const OptionSpec& spec, Json& json) {
-  if (spec.kind == OptionKind::choice) json["enum"] = spec.choices;
-  if (spec.kind != OptionKind::integer && spec.kind != OptionKind::real) return;
-  if (std::isfinite(spec.min)) json["minimum"] = spec.min;
-  if (std::isfinite(spec.max)) json["maximum"] = spec.max;
-}
-
-Json property_schema(const OptionSpec& spec) {
-  Json json{{"type", schema_type(spec.kind)}, {"description", spec.doc}, {"default", to_json(spec.default_value)}};
-  put_limits(spec, json);
-  if (!spec.unit.empty()) json["x-unit"] = spec.unit;
-  if (!spec.source.empty()) json["x-source"] = spec.source;
-  return json;
+Json schema_of(const OptionGroup& group) {
+  return Json::parse(io::option_schema(group.title, group.specs));
 }
 
 }  // namespace
@@ -52,40 +31,33 @@ std::vector<OptionGroup> option_groups() {
   return groups;
 }
 
-Json to_json(const OptionValue& value) {
-  return std::visit([](const auto& v) { return Json(v); }, value);
-}
-
-Json to_json(const OptionMap& values) {
-  Json json = Json::object();
-  for (const auto& [name, value] : values) json[name] = to_json(value);
-  return json;
-}
-
-Json to_json(const OptionSpec& spec) {
-  Json json{{"name", spec.name}, {"type", schema_type(spec.kind)}, {"unit", spec.unit}};
-  json["default"] = to_json(spec.default_value);
-  put_limits(spec, json);
-  json["doc"] = spec.doc;
-  json["source"] = spec.source;
-  return json;
+Json group_json(const OptionGroup& group) {
+  const Json schema = schema_of(group);
+  Json options = Json::array();
+  for (const auto& [name, property] : schema["properties"].items()) {
+    Json option{{"name", name}};
+    option.update(property);
+    options.push_back(std::move(option));
+  }
+  return {{"name", group.name},
+          {"title", group.title},
+          {"summary", group.summary},
+          {"source", group.source},
+          {"options", std::move(options)}};
 }
 
 Json json_schema(std::span<const OptionGroup> groups) {
   Json properties = Json::object();
   for (const OptionGroup& group : groups) {
-    Json options = Json::object();
-    for (const OptionSpec& spec : group.specs) options[std::string(spec.name)] = property_schema(spec);
-    properties[std::string(group.name)] = {{"type", "object"},
-                                           {"title", group.title},
-                                           {"description", group.summary},
-                                           {"properties", options},
-                                           {"additionalProperties", false}};
+    Json schema = schema_of(group);
+    schema.erase("$schema");
+    schema["description"] = group.summary;
+    properties[std::string(group.name)] = std::move(schema);
   }
   return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
           {"title", "Options of echoarc"},
           {"type", "object"},
-          {"properties", properties},
+          {"properties", std::move(properties)},
           {"additionalProperties", false}};
 }
 

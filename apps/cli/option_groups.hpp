@@ -27,12 +27,8 @@ struct OptionGroup {
 /// `sensing`, then the methods in the order of the catalogue.
 [[nodiscard]] std::vector<OptionGroup> option_groups();
 
-/// A value in its own JSON type.
-[[nodiscard]] nlohmann::ordered_json to_json(const OptionValue& value);
-/// Names and values.
-[[nodiscard]] nlohmann::ordered_json to_json(const OptionMap& values);
-/// Everything `methods` knows of an option.
-[[nodiscard]] nlohmann::ordered_json to_json(const OptionSpec& spec);
+/// The group with everything known of each option, under the keywords of JSON Schema.
+[[nodiscard]] nlohmann::ordered_json group_json(const OptionGroup& group);
 /// JSON Schema (2020-12) of a configuration: one object per group, one property per option.
 [[nodiscard]] nlohmann::ordered_json json_schema(std::span<const OptionGroup> groups);
 

@@ -72,10 +72,10 @@ void print_rejections(const SensingReport& report) {
   fmt::print("  {} can be mapped, {} cannot\n", counted(report.accepted(), "ping"), report.rejected_pings.total());
   for (const RejectionInfo& reason : rejections())
     if (const RejectionTally& tally = report.rejected_pings[reason.reason]; tally.count > 0)
-      fmt::print("    {}\n", describe(reason.reason, tally, "pings"));
+      fmt::print("    {}\n", describe(reason.reason, tally, "ping"));
   for (const RejectionInfo& reason : rejections())
     if (const RejectionTally& tally = report.rejected_odometry[reason.reason]; tally.count > 0)
-      fmt::print("    {}\n", describe(reason.reason, tally, "odometry records"));
+      fmt::print("    {}\n", describe(reason.reason, tally, "odometry record"));
 }
 
 Json sensor_json(const SensorStatistics& sensor, const Sensor& described) {

@@ -47,16 +47,6 @@ void print_group(const OptionGroup& group) {
   }
 }
 
-Json group_json(const OptionGroup& group) {
-  Json options = Json::array();
-  for (const OptionSpec& spec : group.specs) options.push_back(to_json(spec));
-  return {{"name", group.name},
-          {"title", group.title},
-          {"summary", group.summary},
-          {"source", group.source},
-          {"options", options}};
-}
-
 Error unknown_group(const std::string& name, std::span<const OptionGroup> groups) {
   std::vector<std::string_view> names;
   for (const OptionGroup& group : groups) names.push_back(group.name);

@@ -196,7 +196,7 @@ class MethodsTest(CommandTest):
             details = self.succeed("methods", entry["name"])
             for option in entry["options"]:
                 self.assertIn(f"{entry['name']}.{option['name']} = ", details)
-                self.assertIn(option["doc"], details)
+                self.assertIn(option["description"], details)
             self.assertEqual(strict_json(self.succeed("methods", entry["name"], "--json")), entry)
 
     def test_schema_accepts_the_defaults(self):
