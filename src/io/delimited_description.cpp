@@ -210,7 +210,7 @@ Result<DelimitedTable> read_table(const toml::table& toml, std::string_view sour
     table.columns.push_back(std::move(*column));
   }
   if (const Result<void> done = fields.finish(); !done) return done.error();
-  if (Result<void> checked = check_table(table); !checked) {
+  if (const Result<void> checked = check_table(table); !checked) {
     Error error = checked.error();
     error.where = toml_place(source, toml.source());
     return error;

@@ -151,11 +151,11 @@ Result<void> write_jsonl(const Log& log, ByteSink& sink) {
   if (auto written = out.text(*header).end_line(); !written) return written;
   const auto write_odometry = [&](const Odometry& pose) { write_pose(out, "odom", pose); };
   const auto write_truth = [&](const Odometry& pose) { write_pose(out, "truth", pose); };
-  const Result<void> merged = merge_by_time(out, Stream{log.odometry, write_odometry}, Stream{log.truth, write_truth},
-                                            Stream{log.walls, [&](const WallNote& note) { write_wall(out, note); }},
-                                            Stream{log.pings, [&](const Ping& ping) { write_ping(out, ping); }},
-                                            Stream{log.polls, [&](const Poll& poll) { write_poll(out, poll); }},
-                                            Stream{log.scans, [&](const Scan& scan) { write_scan(out, scan); }});
+  Result<void> merged = merge_by_time(out, Stream{log.odometry, write_odometry}, Stream{log.truth, write_truth},
+                                      Stream{log.walls, [&](const WallNote& note) { write_wall(out, note); }},
+                                      Stream{log.pings, [&](const Ping& ping) { write_ping(out, ping); }},
+                                      Stream{log.polls, [&](const Poll& poll) { write_poll(out, poll); }},
+                                      Stream{log.scans, [&](const Scan& scan) { write_scan(out, scan); }});
   if (!merged) return merged;
   for (const std::string& line : log.unknown_lines)
     if (auto written = out.text(line).end_line(); !written) return written;

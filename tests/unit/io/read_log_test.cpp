@@ -26,15 +26,15 @@ class ReadLog : public testing::Test {
  protected:
   ReadLog() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / ("echoarc_read_log_" + std::string(test->name()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
+    folder = std::filesystem::path(testing::TempDir()) / ("echoarc_read_log_" + std::string(test->name()));
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
   }
-  ~ReadLog() override { std::filesystem::remove_all(folder_); }
+  ~ReadLog() override { std::filesystem::remove_all(folder); }
 
   std::filesystem::path write(const std::string& name, std::string_view bytes) {
-    std::ofstream(folder_ / name, std::ios::binary) << bytes;
-    return folder_ / name;
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+    return folder / name;
   }
   static RobotDescription robot() { return read_robot_toml(fixtures / "plain/robot.toml").value(); }
   /// The error of reading `path`, which must name a place and a remedy.
@@ -47,7 +47,7 @@ class ReadLog : public testing::Test {
     return log.error();
   }
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder;
 };
 
 TEST_F(ReadLog, JsonLinesByContentWhateverTheName) {
@@ -55,16 +55,16 @@ TEST_F(ReadLog, JsonLinesByContentWhateverTheName) {
   ASSERT_TRUE(log) << log.error().message;
   EXPECT_EQ(log->pings.size(), 5U);
   EXPECT_EQ(log->source, (fixtures / "every_record.jsonl").string());
-  std::filesystem::copy_file(fixtures / "every_record.jsonl", folder_ / "drive.log");
-  EXPECT_TRUE(read_log(folder_ / "drive.log"));
+  std::filesystem::copy_file(fixtures / "every_record.jsonl", folder / "drive.log");
+  EXPECT_TRUE(read_log(folder / "drive.log"));
 }
 
 TEST_F(ReadLog, CarmenByContentWhateverTheName) {
   const Result<Log> log = read_log(fixtures / "drive.clf");
   ASSERT_TRUE(log) << log.error().message;
   EXPECT_EQ(log->pings.size(), 4U);
-  std::filesystem::copy_file(fixtures / "drive.clf", folder_ / "drive.txt");
-  EXPECT_TRUE(read_log(folder_ / "drive.txt"));
+  std::filesystem::copy_file(fixtures / "drive.clf", folder / "drive.txt");
+  EXPECT_TRUE(read_log(folder / "drive.txt"));
 }
 
 TEST_F(ReadLog, DescribedFolderAndFileInIt) {
@@ -132,30 +132,30 @@ TEST_F(ReadLog, PlainCsvNeedsARobotAndOdometry) {
   write("odometry.csv", "a,b\n1,2\n");
   const Result<Log> bad = read_log(ranges, {.robot = robot()});
   ASSERT_FALSE(bad);
-  EXPECT_EQ(bad.error().where, (folder_ / "odometry.csv").string());
+  EXPECT_EQ(bad.error().where, (folder / "odometry.csv").string());
   EXPECT_EQ(bad.error().message, "the header line does not name t, x, y and yaw");
 }
 
 TEST_F(ReadLog, MissingFile) {
-  const Error error = error_of(folder_ / "absent.jsonl");
+  const Error error = error_of(folder / "absent.jsonl");
   EXPECT_EQ(error.code, ErrorCode::not_found);
-  EXPECT_EQ(error_of(folder_ / "absent", {.description = fixtures / "described/log.toml"}).code, ErrorCode::not_found);
+  EXPECT_EQ(error_of(folder / "absent", {.description = fixtures / "described/log.toml"}).code, ErrorCode::not_found);
 }
 
 TEST_F(ReadLog, MissingDescription) {
-  const Result<Log> log = read_log(fixtures / "described", {.description = folder_ / "absent.toml"});
+  const Result<Log> log = read_log(fixtures / "described", {.description = folder / "absent.toml"});
   ASSERT_FALSE(log);
-  EXPECT_EQ(log.error().where, (folder_ / "absent.toml").string());
+  EXPECT_EQ(log.error().where, (folder / "absent.toml").string());
 }
 
 TEST_F(ReadLog, FolderWithoutDescription) {
-  EXPECT_NE(error_of(folder_).remedy.find("--describe"), std::string::npos);
+  EXPECT_NE(error_of(folder).remedy.find("--describe"), std::string::npos);
 }
 
 TEST_F(ReadLog, FolderThatLacksADescribedFile) {
-  const Error error = error_of(folder_, {.description = fixtures / "described/log.toml"});
+  const Error error = error_of(folder, {.description = fixtures / "described/log.toml"});
   EXPECT_EQ(error.code, ErrorCode::not_found);
-  EXPECT_EQ(error.where, (folder_ / "pose.txt").string());
+  EXPECT_EQ(error.where, (folder / "pose.txt").string());
   EXPECT_NE(error.remedy.find("log.toml"), std::string::npos);
 }
 
@@ -199,13 +199,13 @@ TEST_F(ReadLog, EndlessInputStopsAtTheLimit) {
 TEST_F(ReadLog, WrittenFileReadsBack) {
   const Result<Log> log = read_log(fixtures / "drive.clf");
   ASSERT_TRUE(log);
-  auto sink = FileSink::create(folder_ / "drive.jsonl");
+  auto sink = FileSink::create(folder / "drive.jsonl");
   ASSERT_TRUE(sink);
   ASSERT_TRUE(write_jsonl(*log, **sink));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "drive.jsonl")) << "nothing under the final name before commit";
+  EXPECT_FALSE(std::filesystem::exists(folder / "drive.jsonl")) << "nothing under the final name before commit";
   ASSERT_TRUE((*sink)->commit());
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "drive.jsonl.part"));
-  const Result<Log> back = read_log(folder_ / "drive.jsonl");
+  EXPECT_FALSE(std::filesystem::exists(folder / "drive.jsonl.part"));
+  const Result<Log> back = read_log(folder / "drive.jsonl");
   ASSERT_TRUE(back) << back.error().message;
   EXPECT_EQ(back->pings.size(), log->pings.size());
   EXPECT_EQ(back->robot, log->robot);
@@ -213,12 +213,12 @@ TEST_F(ReadLog, WrittenFileReadsBack) {
 
 TEST_F(ReadLog, AbandonedSinkLeavesNothing) {
   {
-    auto sink = FileSink::create(folder_ / "half.jsonl");
+    auto sink = FileSink::create(folder / "half.jsonl");
     ASSERT_TRUE(sink);
     ASSERT_TRUE((*sink)->write("half a log"));
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
-  const auto nowhere = FileSink::create(folder_ / "no/such/folder/log.jsonl");
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  const auto nowhere = FileSink::create(folder / "no/such/folder/log.jsonl");
   ASSERT_FALSE(nowhere);
   EXPECT_EQ(nowhere.error().code, ErrorCode::unwritable);
 }
