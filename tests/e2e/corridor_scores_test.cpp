@@ -67,7 +67,8 @@ TEST_P(CorridorScores, OfCentrePointsAreTheKnownOnes) {
 
 INSTANTIATE_TEST_SUITE_P(RecordedDrives, CorridorScores,
                          testing::Values(Drive{"run1", 1616, 0.718, 0.708}, Drive{"run2", 892, 0.772, 0.476},
-                                         Drive{"run3", 2076, 0.741, 0.639}));
+                                         Drive{"run3", 2076, 0.741, 0.639}),
+                         [](const auto& drive) { return std::string(drive.param.folder); });
 
 }  // namespace
 }  // namespace echoarc

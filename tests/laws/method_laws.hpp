@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -140,7 +141,7 @@ template <class Method>
 class MethodLaws : public testing::Test {
  protected:
   using Options = typename Method::Options;
-  static constexpr std::uint64_t seeds[] = {1, 2, 3};
+  static constexpr std::array<std::uint64_t, 3> seeds = {1, 2, 3};
 };
 TYPED_TEST_SUITE_P(MethodLaws);
 
