@@ -10,6 +10,8 @@ target_compile_options(echoarc_build_flags INTERFACE
   -ffp-contract=off
   # -Wno-missing-field-initializers: a designated initialiser that leaves a member at its default is how we write options.
   -Wall -Wextra -Wpedantic -Wno-missing-field-initializers -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+  # libstdc++ 12's own stable_sort uses what it declares deprecated.
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
   $<$<BOOL:${ECHOARC_WERROR}>:-Werror>)
 if(ECHOARC_SANITIZE)
   target_compile_options(echoarc_build_flags INTERFACE -fsanitize=${ECHOARC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
