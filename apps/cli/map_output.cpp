@@ -47,7 +47,7 @@ Result<io::MethodReport> write_map(const std::filesystem::path& folder, const An
 
 Result<std::vector<io::MethodReport>> write_maps(const std::filesystem::path& folder, const MapRun& run) {
   const std::vector<Vec2> path = positions_of(run.result.path);
-  if (Result<void> written = io::write_path_csv(folder / io::path_csv_name, run.result.path); !written)
+  if (const Result<void> written = io::write_path_csv(folder / io::path_csv_name, run.result.path); !written)
     return written.error();
   const std::string log = std::filesystem::path(run.log.source).filename().string();
   std::vector<io::MethodReport> reports;
