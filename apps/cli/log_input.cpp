@@ -38,11 +38,12 @@ void declare_log_files(CLI::App& app, LogArguments& arguments) {
       ->type_name("FILE");
 }
 
-Result<Log> load_log(const LogArguments& arguments) {
+Result<Log> load_log(const LogArguments& arguments, io::ByteSink* copy_of_jsonl) {
   io::ReadOptions options{.description = unless_empty(arguments.description),
                           .robot = std::nullopt,
                           .odometry = unless_empty(arguments.odometry),
-                          .limits = {}};
+                          .limits = {},
+                          .copy_of_jsonl = copy_of_jsonl};
   if (!arguments.robot.empty()) {
     Result<RobotDescription> robot = io::read_robot_toml(arguments.robot);
     if (!robot) return robot.error();

@@ -10,6 +10,7 @@
 
 #include "echoarc/core/log.hpp"
 #include "echoarc/core/result.hpp"
+#include "echoarc/io/byte_sink.hpp"
 
 namespace echoarc::cli {
 
@@ -26,8 +27,8 @@ void declare_log(CLI::App& app, LogArguments& arguments);
 /// Declares --describe, --odometry and --robot.
 void declare_log_files(CLI::App& app, LogArguments& arguments);
 
-/// Reads the log.
-[[nodiscard]] Result<Log> load_log(const LogArguments& arguments);
+/// Reads the log. `copy_of_jsonl`: see io::ReadOptions.
+[[nodiscard]] Result<Log> load_log(const LogArguments& arguments, io::ByteSink* copy_of_jsonl = nullptr);
 /// Tells on stderr what was skipped or odd on the way.
 void warn_of(const ReadReport& report);
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
@@ -22,21 +23,42 @@ struct ConvertArguments {
   bool force = false;
 };
 
-Result<void> write_log(const Log& log, const std::filesystem::path& path) {
-  Result<std::unique_ptr<io::FileSink>> sink = io::FileSink::create(path);
-  if (!sink) return sink.error();
-  if (Result<void> written = io::write_jsonl(log, **sink); !written) return written;
-  return (*sink)->commit();
+/// Passes bytes on and remembers whether there were any.
+class NotingSink final : public io::ByteSink {
+ public:
+  explicit NotingSink(io::ByteSink& sink) : sink_(sink) {}
+  [[nodiscard]] Result<void> write(std::string_view bytes) override {
+    used_ = true;
+    return sink_.write(bytes);
+  }
+  [[nodiscard]] bool used() const { return used_; }
+
+ private:
+  io::ByteSink& sink_;
+  bool used_ = false;
+};
+
+/// The log, written to `path`. What is JSON Lines already is copied line by line, so that keys and record types unknown
+/// to this version survive; unless another robot is to go into its header.
+Result<Log> convert(const LogArguments& input, const std::filesystem::path& path) {
+  Result<std::unique_ptr<io::FileSink>> file = io::FileSink::create(path);
+  if (!file) return file.error();
+  NotingSink copy(**file);
+  Result<Log> log = load_log(input, input.robot.empty() ? &copy : nullptr);
+  if (!log) return log;
+  if (!copy.used())
+    if (const Result<void> written = io::write_jsonl(*log, **file); !written) return written.error();
+  if (const Result<void> committed = (*file)->commit(); !committed) return committed.error();
+  return log;
 }
 
 ExitStatus run(const ConvertArguments& arguments) {
   if (!arguments.force && std::filesystem::exists(arguments.output))
     return fail({ErrorCode::unwritable, "the file exists already", arguments.output.string(),
                  "give another name, or replace it with --force"});
-  const Result<Log> log = load_log(arguments.input);
+  const Result<Log> log = convert(arguments.input, arguments.output);
   if (!log) return fail(log.error());
   warn_of(log->report);
-  if (const Result<void> written = write_log(*log, arguments.output); !written) return fail(written.error());
   fmt::print("wrote {}: {}, {}, {}", arguments.output.string(), counted(log->odometry.size(), "pose"),
              counted(log->pings.size(), "ping"), counted(log->scans.size(), "laser scan"));
   if (!log->unknown_lines.empty())

@@ -44,7 +44,23 @@ Result<Line> first_line(LineReader& lines, const ByteSource& source) {
   return Error{ErrorCode::bad_format, "the file is empty", source.name(), empty_remedy};
 }
 
-void read_body(LineReader& lines, LineFaults& faults, Log& log) {
+/// Copies good lines; after the first failure only that is remembered.
+class LineCopy {
+ public:
+  explicit LineCopy(ByteSink* sink) : sink_(sink) {}
+  void add(std::string_view line) {
+    if (sink_ == nullptr || !state_) return;
+    state_ = sink_->write(line);
+    if (state_) state_ = sink_->write("\n");
+  }
+  [[nodiscard]] const Result<void>& state() const { return state_; }
+
+ private:
+  ByteSink* sink_;
+  Result<void> state_;
+};
+
+void read_body(LineReader& lines, LineFaults& faults, Log& log, LineCopy& copy) {
   JsonlRecords records;
   UnknownTypes unknown;
   while (!faults.hopeless() && lines.next()) {
@@ -55,14 +71,16 @@ void read_body(LineReader& lines, LineFaults& faults, Log& log) {
       faults.add(line, "the line is too long");
     else if (!records.read(line, log))
       faults.add(line, records.fault());
-    else if (!records.unknown_type().empty())
-      unknown.note(records.unknown_type(), line, faults);
+    else {
+      copy.add(line.text);
+      if (!records.unknown_type().empty()) unknown.note(records.unknown_type(), line, faults);
+    }
   }
 }
 
 }  // namespace
 
-Result<Log> read_jsonl(ByteSource& source, const ReadLimits& limits) {
+Result<Log> read_jsonl(ByteSource& source, const ReadLimits& limits, ByteSink* copy) {
   Log log;
   log.source = source.name();
   LineReader lines(source, limits);
@@ -71,7 +89,10 @@ Result<Log> read_jsonl(ByteSource& source, const ReadLimits& limits) {
   if (!header) return header.error();
   faults.count_line();
   if (const auto read = read_jsonl_header(header->text, faults.place(header->number), log); !read) return read.error();
-  read_body(lines, faults, log);
+  LineCopy line_copy(copy);
+  line_copy.add(header->text);
+  read_body(lines, faults, log, line_copy);
+  if (!line_copy.state()) return line_copy.state().error();
   if (lines.failure()) return *lines.failure();
   Result<ReadReport> report = faults.finish();
   if (!report) return report.error();

@@ -127,7 +127,7 @@ Result<Log> read_by_format(const std::filesystem::path& path, const ReadOptions&
   Format format = format_by_content(source->head());
   if (format == Format::unknown) format = format_by_extension(path);
   switch (format) {
-    case Format::jsonl: return read_jsonl(*source, options.limits);
+    case Format::jsonl: return read_jsonl(*source, options.limits, options.copy_of_jsonl);
     case Format::carmen: return read_carmen(*source, options.limits);
     case Format::plain_csv: return read_plain_csv(path, {options.robot, options.odometry, options.limits});
     case Format::unknown: break;

@@ -20,8 +20,9 @@ inline constexpr int jsonl_version = 1;
 /// of the file, unknown sensor ids included; `sensing` judges them. Records of unknown type go to
 /// `Log::unknown_lines`. A line that is not a record is counted in `Log::report` and skipped; a broken last line
 /// without line feed is only a warning. Errors: no or a bad header, a newer major version, more than 1 % or 100 bad
-/// lines; they name the line and a remedy.
-[[nodiscard]] Result<Log> read_jsonl(ByteSource& source, const ReadLimits& limits = {});
+/// lines; they name the line and a remedy. With `copy`, every good line is
+/// also written there as it stands, with keys and types that this version does not know.
+[[nodiscard]] Result<Log> read_jsonl(ByteSource& source, const ReadLimits& limits = {}, ByteSink* copy = nullptr);
 
 /// Writes what `read_jsonl` reads back equal (line numbers and report aside). Records are merged by time, each kind in
 /// its order; numbers are the shortest that read back the same. Error: bad_value for a pose, time, scan angle or header

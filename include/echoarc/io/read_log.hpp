@@ -8,6 +8,7 @@
 
 #include "echoarc/core/log.hpp"
 #include "echoarc/core/result.hpp"
+#include "echoarc/io/byte_sink.hpp"
 #include "echoarc/io/line_reader.hpp"
 
 namespace echoarc::io {
@@ -17,6 +18,8 @@ struct ReadOptions {
   std::optional<RobotDescription> robot;             ///< replaces the robot the log describes
   std::optional<std::filesystem::path> odometry;     ///< odometry CSV beside a plain range CSV
   ReadLimits limits;
+  /// Gets every good line of a JSON Lines log as it stands; of other formats nothing.
+  ByteSink* copy_of_jsonl = nullptr;
 };
 
 /// Reads a log of any known format: with a description delimited text (a file or a folder), else JSON Lines, CARMEN or
