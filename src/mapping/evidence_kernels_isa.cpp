@@ -166,32 +166,33 @@ void add_constant(const TileRow& row, const Runs& runs, std::int16_t increment) 
     add_constant_signed<Sign::rising>(row, runs, increment);
 }
 
-/// What the cells of a tile's row add to the position of the first.
-struct CellOffsets {
-  alignas(32) float dx[tile_size];
-  alignas(32) float across[tile_size];
+/// 0, 1, 2, ... as the columns of a tile's row.
+struct Count {
+  alignas(32) float values[tile_size];
 
-  explicit CellOffsets(const BeamFrame& beam) {
-    for (std::int32_t l = 0; l < tile_size; ++l) {
-      dx[l] = static_cast<float>(l) * beam.cell_m;
-      across[l] = beam.axis_y * dx[l];
-    }
+  constexpr Count() : values{} {
+    for (std::int32_t l = 0; l < tile_size; ++l) values[l] = static_cast<float>(l);
   }
 };
+constexpr Count column;
 
 /// Adds `increment(squared, across, lane)` to the cells of the runs, of the squared distance from the apex and the
-/// distance from the beam's axis in metres, `lanes` cells at a time; the ends of a run are masked, not peeled.
+/// distance from the beam's axis, both in cells, `lanes` cells at a time; the ends of a run are masked, not peeled.
+///
+/// In cells, the distances of columns and rows from the apex are one offset and a whole number each: exact until they
+/// meet. So a cell's change does not depend on where in its tile it lies, and turning the grid by 90 degrees gives the
+/// same bits.
 template <int lanes, Sign sign, class Increment>
 inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& frame, Increment&& increment) {
   const BeamFrame beam = frame;
-  const CellOffsets offsets(beam);
+  const float offset_x = beam.offset_x_m / beam.cell_m;
+  const float offset_y = beam.offset_y_m / beam.cell_m;
   for (std::size_t k = 0; k < runs.count; ++k) {
-    const float dy = beam.offset_y_m + static_cast<float>(runs.j[k] - beam.apex_j) * beam.cell_m;
+    const float dy = offset_y + static_cast<float>(runs.j[k] - beam.apex_j);
     const float dy_squared = dy * dy;
     const float row_across = beam.axis_x * dy;
     for_each_segment(row, runs, k, [&](std::int16_t* cells, std::int32_t i, std::int32_t begin, std::int32_t end) {
-      const float first_dx = beam.offset_x_m + static_cast<float>(i - beam.apex_i) * beam.cell_m;
-      const float first_across = row_across - beam.axis_y * first_dx;
+      const auto first_column = static_cast<float>(i - beam.apex_i);
       const Inside inside(begin, end);
       for (std::int32_t block = begin & ~(lanes - 1); block < end; block += lanes) {
         // Two loops, so that each is vectorised at the full width of its type. Unrolled early, they would be out of
@@ -199,8 +200,8 @@ inline void add_cells(const TileRow& row, const Runs& runs, const BeamFrame& fra
         std::uint32_t change[lanes];
 #pragma GCC unroll 1
         for (std::int32_t l = 0; l < lanes; ++l) {
-          const float dx = first_dx + offsets.dx[block + l];
-          const float across = first_across - offsets.across[block + l];
+          const float dx = offset_x + (first_column + column.values[block + l]);
+          const float across = row_across - beam.axis_y * dx;
           change[l] = rounded_bits(increment(dx * dx + dy_squared, across, l));
         }
 #pragma GCC unroll 1
@@ -241,9 +242,10 @@ void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam,
   const SpreadPolynomial<radial_terms, lanes> radial(band.radial);
   const SpreadPolynomial<logit_terms, lanes> logit(band.logit);
   const float range_m = band.range_m;
+  const float cell_m = beam.cell_m;
   const float bend = band.angular.bend;
   add_cells<lanes, Sign::rising>(row, runs, beam, [&](float squared, float across, std::int32_t l) {
-    const float error = __builtin_sqrtf(squared) - range_m;
+    const float error = __builtin_sqrtf(squared) * cell_m - range_m;
     const float across_squared = across * across;
     const float height =
         angular.at(across_squared / (squared + bend * across_squared), l) * radial.at(error * error, l);
