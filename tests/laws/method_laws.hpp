@@ -29,9 +29,6 @@ template <class Method>
 struct LawException {
   /// Why what was once free cannot become occupied again; empty: it can.
   static constexpr std::string_view cannot_recover = "";
-  /// By how much a reading may change a cell differently when the whole world is moved: the method's unit where it
-  /// rounds, since the last bit of a moved coordinate decides a tie.
-  static constexpr double rounding_per_reading = 0.0;
 };
 
 /// Cells coarse enough for the suite to be quick; everything else as shipped.
@@ -87,13 +84,13 @@ inline MapView view_of(const MapExport& map, const GridGeometry& geometry, const
   return view;
 }
 
-inline void expect_same_view(const MapView& a, const MapView& b, double tolerance = 1e-6) {
+inline void expect_same_view(const MapView& a, const MapView& b) {
   ASSERT_EQ(a.size(), b.size());
   for (const auto& [cell, view] : a) {
     const auto found = b.find(cell);
     ASSERT_NE(found, b.end()) << cell.i << " " << cell.j;
     EXPECT_EQ(view.state, found->second.state) << cell.i << " " << cell.j;
-    EXPECT_NEAR(view.value, found->second.value, tolerance) << cell.i << " " << cell.j;
+    EXPECT_NEAR(view.value, found->second.value, 1e-6) << cell.i << " " << cell.j;
   }
 }
 
@@ -126,8 +123,7 @@ void expect_equivariant(const typename Method::Options& options, const std::vect
         EXPECT_LT(norm(T * a->points.points()[k].position - b->points.points()[k].position), 1e-9);
     } else {
       const GridGeometry geometry{options.cell_m, {options.origin_x_m, options.origin_y_m}};
-      const double rounding = LawException<Method>::rounding_per_reading * static_cast<double>(readings.size());
-      expect_same_view(view_of(*a, geometry, T), view_of(*b, geometry), 1e-6 + rounding);
+      expect_same_view(view_of(*a, geometry, T), view_of(*b, geometry));
     }
   }
 }
@@ -153,7 +149,6 @@ TYPED_TEST_P(MethodLaws, MovesWithTheWorld) {
   for (const std::uint64_t seed : this->seeds) {
     const std::vector<Reading> readings = law_readings(seed);
     expect_equivariant<TypeParam>(law_options<TypeParam>(), readings);
-    // One by one as well, where no roundings can add up.
     for (std::size_t k = 0; k < readings.size(); k += 9)
       expect_equivariant<TypeParam>(law_options<TypeParam>(), {readings[k]});
   }

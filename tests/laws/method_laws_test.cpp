@@ -16,13 +16,6 @@ struct LawException<BayesUpdate> {
   static constexpr std::string_view cannot_recover =
       "[Barshan07] eqs. 7 and 8 only ever raise p_E and p_O: a cell that many echoes have passed keeps p_E = 1, and "
       "p_O = 1 lifts its value to 1/2 at most";
-  static constexpr double rounding_per_reading = 0.0;
-};
-
-template <>
-struct LawException<EvidenceGrid> {
-  static constexpr std::string_view cannot_recover = "";
-  static constexpr double rounding_per_reading = log_odds_unit;
 };
 
 namespace {
