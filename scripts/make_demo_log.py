@@ -3,12 +3,12 @@
 """Writes the log that `./dev demo` maps, and its truth: `make_demo_log.py [FOLDER]`, `make_demo_log.py --check`.
 
 A robot with the 16-sonar ring of the Nomad 200 drives two loops through a room of 6 x 4.5 m with an L corner, a doorway
-and a pillar. The acoustics are the simplest that are specular at all: a wall answers only from the foot of the
-perpendicular, and only if that lies within the beam; inside corners, outside edges and the pillar answer from one point;
-the nearest visible one is the echo; everything else is silence. Gaussian noise, 1 cm quanta and a few outliers are
-added. There is no beam pattern, no second reflection and no cross-talk: this is sample data, not a simulator, and a
-score on it says nothing about real rooms. Seeded; standard library only; the same bytes on every machine, because
-everything is rounded far above the last bit.
+and a pillar. The acoustics are about the simplest that are specular at all: a wall answers from the foot of the
+perpendicular, or, being plaster, weakly from the nearest point in the beam that is not too slanted; inside corners,
+outside edges and the pillar answer from one point; the nearest visible one is the echo; everything else is silence.
+Gaussian noise, 1 cm quanta and a few outliers are added. There is neither a beam pattern nor a second reflection: this is
+sample data, not a simulator, and a score on it says nothing about real rooms. Seeded; standard library only; the same
+bytes on every machine, because everything is rounded far above the last bit.
 """
 
 import json
@@ -25,6 +25,7 @@ OUTLINE = [(-1.2, 2.0), (0.0, 2.0), (0.0, 0.0), (6.0, 0.0), (6.0, 3.0), (4.2, 3.
            (-1.2, 2.9)]
 PILLAR_CENTRE, PILLAR_RADIUS = (3.0, 2.1), 0.15
 EDGE_RANGE = 2.0  # an outside edge scatters weakly: heard up to here
+PLASTER_RANGE, PLASTER_INCIDENCE = 3.5, math.radians(35.0)  # how far, and how slanted, a wall still scatters back
 
 LOOPS = [[(0.9, 0.8), (5.2, 0.8), (5.2, 2.2), (4.0, 2.2), (3.4, 3.0), (3.4, 3.7), (0.9, 3.7), (0.9, 0.8)],
          [(1.2, 1.1), (1.2, 3.3), (2.9, 3.3), (3.6, 2.4), (4.9, 1.9), (4.9, 1.1), (1.2, 1.1)]]
@@ -48,13 +49,13 @@ def drive():
     poses = []
     for target_x, target_y in stops[1:]:
         length = math.hypot(target_x - x, target_y - y)
-        bearing = math.atan2(target_y - y, target_x - x)
-        turn = wrap(bearing - yaw)
+        heading = bearing((x, y), (target_x, target_y))
+        turn = wrap(heading - yaw)
         steps = math.ceil(abs(turn) / (TURN_RATE * FIRING_INTERVAL))
         poses += [(x, y, wrap(yaw + turn * i / steps)) for i in range(steps)]
         steps = math.ceil(length / (SPEED * FIRING_INTERVAL))
-        poses += [(x + (target_x - x) * i / steps, y + (target_y - y) * i / steps, bearing) for i in range(steps)]
-        x, y, yaw = target_x, target_y, bearing
+        poses += [(x + (target_x - x) * i / steps, y + (target_y - y) * i / steps, heading) for i in range(steps)]
+        x, y, yaw = target_x, target_y, heading
     return poses
 
 
@@ -63,18 +64,40 @@ def walls():
 
 
 def foot(point, wall):
-    """The foot of the perpendicular on a wall, or None where it lies beyond the ends."""
+    """The foot of the perpendicular on a wall, which may lie beyond the ends."""
     (ax, ay), (bx, by) = wall
     dx, dy = bx - ax, by - ay
     share = ((point[0] - ax) * dx + (point[1] - ay) * dy) / (dx * dx + dy * dy)
-    return (ax + share * dx, ay + share * dy) if 0.0 < share < 1.0 else None
+    return (ax + share * dx, ay + share * dy)
 
 
-def reflectors(sensor):
+def within(point, wall):
+    """Whether a point on a wall's line lies between its ends."""
+    (ax, ay), (bx, by) = wall
+    return (point[0] - ax) * (point[0] - bx) + (point[1] - ay) * (point[1] - by) < 0.0
+
+
+def slanted_points(sensor, axis, wall):
+    """Where the beam's two edges meet a wall no more slanted than plaster scatters back."""
+    normal_foot = foot(sensor, wall)
+    distance, normal = math.dist(sensor, normal_foot), bearing(sensor, normal_foot)
+    for edge in (axis - 0.499 * BEAM_WIDTH, axis + 0.499 * BEAM_WIDTH):
+        incidence = wrap(edge - normal)
+        if abs(incidence) <= PLASTER_INCIDENCE:
+            reach = distance / math.cos(incidence)
+            yield (sensor[0] + reach * math.cos(edge), sensor[1] + reach * math.sin(edge))
+
+
+def bearing(sensor, point):
+    return math.atan2(point[1] - sensor[1], point[0] - sensor[0])
+
+
+def reflectors(sensor, axis):
     """(point, range up to which it is heard) of everything that could send sound back to the sensor."""
     for wall in walls():
-        if (point := foot(sensor, wall)) is not None:
-            yield point, RANGE_MAX
+        candidates = [(foot(sensor, wall), RANGE_MAX)]
+        candidates += [(point, PLASTER_RANGE) for point in slanted_points(sensor, axis, wall)]
+        yield from ((point, heard_to) for point, heard_to in candidates if within(point, wall))
     for before, corner, after in zip(OUTLINE, OUTLINE[1:], OUTLINE[2:]):
         turn = (corner[0] - before[0]) * (after[1] - corner[1]) - (corner[1] - before[1]) * (after[0] - corner[0])
         yield corner, RANGE_MAX if turn > 0.0 else EDGE_RANGE
@@ -102,9 +125,9 @@ def visible(sensor, point):
 
 def true_range(sensor, axis):
     """Range of the nearest reflector that is in the beam and in sight, or None."""
-    ranges = [math.dist(sensor, point) for point, heard_to in reflectors(sensor)
+    ranges = [math.dist(sensor, point) for point, heard_to in reflectors(sensor, axis)
               if math.dist(sensor, point) <= heard_to
-              and abs(wrap(math.atan2(point[1] - sensor[1], point[0] - sensor[0]) - axis)) <= BEAM_WIDTH / 2
+              and abs(wrap(bearing(sensor, point) - axis)) <= BEAM_WIDTH / 2
               and visible(sensor, point)]
     return min(ranges, default=None)
 
@@ -115,7 +138,7 @@ def measured_range(true, rng):
     if true is None or fate < LOST_SHARE:
         return "no_echo"
     if fate < LOST_SHARE + OUTLIER_SHARE:
-        true = true * (0.35 + 0.5 * share) if share < 0.5 else true * (1.2 + 0.8 * share)
+        true = true * (0.35 + 0.5 * share) if share < 0.9 else true * (1.2 + 3.0 * (share - 0.9))  # mostly cross-talk
     reported = round((true + noise) / QUANTUM) * QUANTUM
     if reported < RANGE_MIN:
         return "too_close"
