@@ -114,3 +114,20 @@ ring = {{ count = {SENSORS}, radius_m = {RING_RADIUS}, start_deg = 0.0, beam_wid
                     f"""range_min = 0.1, range_max = {RANGE_MAX} }}
 """)
     return path
+
+
+def write_corridor(folder):
+    """A folder in the form of the corridor logs: a straight drive between two walls 2 m apart, laser included."""
+    folder.mkdir()
+    odometry, sonar, laser = [], [], []
+    for row in range(30):
+        t = 214 * row
+        odometry.append(f"{t} {50 * row} 0 0")
+        sonar.append(f"{t} 800 1300 5110 5110 5110 5110 1300 800")
+        beams = []
+        for beam in range(361):
+            sine = abs(math.sin(math.radians(-90 + 0.5 * beam)))
+            beams.append(str(round(1000 / sine)) if sine > 0.13 else "81910")
+        laser.append(f"{t} " + " ".join(beams))
+    for name, lines in (("od.txt", odometry), ("sonar.txt", sonar), ("laser.txt", laser)):
+        (folder / name).write_text("\n".join(lines) + "\n")

@@ -43,6 +43,9 @@ class DocumentTest(CommandTest):
         fixtures.write_walls(self.dir / "walls.csv")
         fixtures.write_room_csv(self.dir / "ranges.csv", self.dir / "poses.csv")
         fixtures.write_robot(self.dir / "robot.toml")
+        (self.dir / "corridor").mkdir()
+        fixtures.write_corridor(self.dir / "corridor" / "run1")
+        shutil.copytree(SOURCE / "descriptions", self.dir / "descriptions")
         shutil.copy(SOURCE / "examples" / "demo" / "room.jsonl", self.dir)
         shutil.copy(SOURCE / "examples" / "demo" / "room-truth.csv", self.dir)
 

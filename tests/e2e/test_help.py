@@ -3,7 +3,6 @@
 
 """Every command line that a help page shows is run, in a folder that holds what it speaks of."""
 
-import math
 import pathlib
 import re
 import shlex
@@ -27,23 +26,6 @@ ODOM 0.2 0.0 0.0 0.1 0.0 0.0 2.0 host 2.0
 DESCRIPTION = SOURCE / "descriptions" / "corridor.toml"
 
 
-def write_corridor(folder):
-    """A folder in the form of the corridor logs: a straight drive between two walls 2 m apart, laser included."""
-    folder.mkdir()
-    odometry, sonar, laser = [], [], []
-    for row in range(30):
-        t = 214 * row
-        odometry.append(f"{t} {50 * row} 0 0")
-        sonar.append(f"{t} 800 1300 5110 5110 5110 5110 1300 800")
-        beams = []
-        for beam in range(361):
-            sine = abs(math.sin(math.radians(-90 + 0.5 * beam)))
-            beams.append(str(round(1000 / sine)) if sine > 0.13 else "81910")
-        laser.append(f"{t} " + " ".join(beams))
-    for name, lines in (("od.txt", odometry), ("sonar.txt", sonar), ("laser.txt", laser)):
-        (folder / name).write_text("\n".join(lines) + "\n")
-
-
 class HelpTest(CommandTest):
     def setUp(self):
         """What the examples speak of, and what an earlier step of a session would have left."""
@@ -54,7 +36,7 @@ class HelpTest(CommandTest):
         shutil.copy(demo / "room.jsonl", self.session)
         shutil.copy(demo / "room-truth.csv", self.session)
         shutil.copy(DESCRIPTION, self.session / "corridor.toml")
-        write_corridor(self.session / "run1")
+        fixtures.write_corridor(self.session / "run1")
         fixtures.write_room_csv(self.session / "ranges.csv", self.session / "poses.csv")
         fixtures.write_robot(self.session / "robot.toml")
         (self.session / "drive.clf").write_text(CARMEN)
