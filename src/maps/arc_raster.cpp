@@ -27,7 +27,7 @@ class DistinctCells {
   }
   void add(Cell c) {
     cells_[size_] = c;
-    bool seen = (c == cells_[size_ - 1]) | (c == cells_[size_ - 2]);
+    bool seen = c == cells_[size_ - 1] || c == cells_[size_ - 2];
     if (tight_) seen = std::ranges::find(get(), c) != get().end();
     size_ += seen ? 0 : 1;
   }
@@ -82,6 +82,9 @@ kernels::ArcShape shape_of(const Arc& arc, const GridGeometry& geometry, Angle s
   return shape;
 }
 
+/// Packed indices that no cell has: both are beyond `GridGeometry::max_index`.
+constexpr std::uint64_t no_cell = 0x8000000080000000U;
+
 Cell unpacked(std::uint64_t cell) {
   return {static_cast<std::int32_t>(cell & 0xffffffffU), static_cast<std::int32_t>(cell >> 32)};
 }
@@ -92,8 +95,8 @@ std::span<const Cell> distinct_cells(std::span<const std::uint64_t> samples, con
                                      std::vector<Cell>& cells) {
   if (cells.size() < samples.size()) cells.resize(samples.size());
   std::size_t size = 0;
-  std::uint64_t last = ~samples[0];
-  std::uint64_t before_last = last;
+  std::uint64_t last = no_cell;
+  std::uint64_t before_last = no_cell;
   for (std::size_t k = 0; k < samples.size(); k += 64) {
     const std::size_t left = samples.size() - k;
     std::uint64_t entered = changes[k / 64] & (left < 64 ? (std::uint64_t{1} << left) - 1 : ~std::uint64_t{0});

@@ -57,6 +57,16 @@ TEST(ArcRaster, ReturningArcCountsACellOnce) {
   EXPECT_EQ(cells_of(grid, arc, ArcSampling::exact), (std::vector<Cell>{{0, 4}, {0, 5}}));
 }
 
+// From cell (-1,-1), whose indices have all bits set, into cell (0,0), whose indices have none.
+TEST(ArcRaster, CrossesTheOrigin) {
+  const GridGeometry grid{.cell_m = 0.1};
+  const Arc arc = Arc::circular({-0.905, 0.953}, radians(-0.3), 1.308, radians(1.044));
+  const auto cells = cells_of(grid, arc, ArcSampling::sampled);
+  ASSERT_GE(cells.size(), 2U);
+  EXPECT_EQ(cells[0], (Cell{-1, -1}));
+  EXPECT_EQ(cells[1], (Cell{0, 0}));
+}
+
 Arc arbitrary_arc(Rng& rng) {
   const Pose2 tx{{rng.uniform(-5, 5), rng.uniform(-5, 5)}, degrees(rng.uniform(-180, 180))};
   const double range_m = rng.below(3) == 0 ? rng.uniform(0.02, 0.2) : rng.uniform(0.2, 6.0);
