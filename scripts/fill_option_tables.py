@@ -45,8 +45,8 @@ def legal_values(option: dict) -> str:
 def table(options: list[dict]) -> str:
     """The Markdown table of one method; a bar inside a text would end its cell."""
     rows = [["option", "default", "unit", "legal", "meaning", "source"]]
-    rows += [[f"`{option['name']}`", spell(option["default"]), option["unit"], legal_values(option), option["doc"],
-              option["source"]] for option in options]
+    rows += [[f"`{option['name']}`", spell(option["default"]), option.get("unit", ""), legal_values(option),
+              option["description"], option.get("source", "")] for option in options]
     lines = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
     return "\n".join([lines[0], "| --- | --- | --- | --- | --- | --- |", *lines[1:]]) + "\n"
 

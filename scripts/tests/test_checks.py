@@ -156,7 +156,7 @@ class OptionTables(Tree):
     def setUp(self):
         super().setUp()
         options = [{"name": "cell_m", "type": "number", "unit": "m", "default": 0.01, "minimum": 0.001, "maximum": 10.0,
-                    "doc": "size | side", "source": ""}]
+                    "description": "size | side", "source": ""}]
         answer = json.dumps([{"name": "dm", "options": options}])
         self.write("command", f"#!/bin/sh\ncat <<'END'\n{answer}\nEND\n")
         (self.root / "command").chmod(0o755)
