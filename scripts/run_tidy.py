@@ -66,8 +66,9 @@ def check(entry: dict, tree: Path) -> str:
 def main() -> int:
     tree, jobs = Path(sys.argv[1]).resolve(), int(sys.argv[2])
     (tree / "tidy").mkdir(exist_ok=True)
-    entries = [entry for entry in json.loads((tree / "compile_commands.json").read_text())
-               if any(folder in Path(entry["file"]).parents for folder in PRODUCT_FOLDERS)]
+    # By file: kernels are compiled once for each instruction set, and once is enough here.
+    by_file = {entry["file"]: entry for entry in json.loads((tree / "compile_commands.json").read_text())}
+    entries = [entry for file, entry in by_file.items() if any(folder in Path(file).parents for folder in PRODUCT_FOLDERS)]
     with ThreadPoolExecutor(jobs) as pool:
         findings = [text for text in pool.map(lambda entry: check(entry, tree), entries) if text]
     # A finding in a header comes with every source that includes it.
