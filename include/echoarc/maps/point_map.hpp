@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -14,11 +15,17 @@ namespace echoarc {
 
 /// What made a map point.
 enum class PointLabel : std::uint8_t {
-  centerline,  ///< the middle of an arc: nothing but the reading is known
-  cell,        ///< the centre of an occupied grid cell
+  centerline,    ///< the middle of an arc: nothing but the reading is known
+  cell,          ///< the centre of an occupied grid cell
+  carved,        ///< the middle of what newer readings left of an arc
+  atm,           ///< the median of an arc's transversal intersections
+  edge,          ///< where several arcs meet in one point: an edge or a pole
+  triangulated,  ///< where arcs meet, but not in one point: a wall, most likely
 };
+inline constexpr std::size_t point_label_count = 6;
+/// As files spell it.
 [[nodiscard]] constexpr std::string_view name(PointLabel label) {
-  constexpr std::string_view names[] = {"centerline", "cell"};
+  constexpr std::string_view names[point_label_count] = {"centerline", "cell", "carved", "atm", "edge", "triangulated"};
   return names[static_cast<std::size_t>(label)];
 }
 

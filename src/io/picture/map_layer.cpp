@@ -93,7 +93,7 @@ Canvas draw_map(const PictureContent& content, const View& view) {
 
 void draw_point_mark(Canvas& canvas, Vec2 pixel, PointLabel label, double radius) {
   const Color color = palette::of(label);
-  if (label == PointLabel::cell) return canvas.fill_disc(pixel, radius, color);
+  if (label != PointLabel::centerline) return canvas.fill_disc(pixel, radius, color);
   const Vec2 down[] = {pixel + Vec2{-radius, -radius}, pixel + Vec2{radius, radius}};
   const Vec2 up[] = {pixel + Vec2{-radius, radius}, pixel + Vec2{radius, -radius}};
   canvas.stroke(down, 1.6, color);

@@ -22,7 +22,8 @@ inline constexpr Color path = rgb(0x1763C6);
 
 /// One colour a label; told apart by people with red-green blindness, too.
 [[nodiscard]] constexpr Color of(PointLabel label) {
-  constexpr Color colors[] = {rgb(0xBC7600), rgb(0x5B1F92)};
+  constexpr Color colors[point_label_count] = {rgb(0xBC7600), rgb(0x5B1F92), rgb(0x00786B),
+                                               rgb(0x5B1F92), rgb(0xC2185B), rgb(0x2E86C1)};
   return colors[static_cast<std::size_t>(label)];
 }
 
