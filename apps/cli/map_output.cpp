@@ -38,6 +38,7 @@ Result<io::MethodReport> write_map(const std::filesystem::path& folder, const An
   return io::MethodReport{.name = name,
                           .options = method.options(),
                           .counters = method.counters(),
+                          .tallies = method.tallies(),
                           .points = map->points.size(),
                           .cells_free = count_cells(map->states, CellState::free),
                           .cells_occupied = count_cells(map->states, CellState::occupied)};

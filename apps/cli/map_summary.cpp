@@ -23,6 +23,14 @@ std::string per_ping(const MethodCost& cost, std::uint64_t pings) {
   return fmt::format("{:.2f} us", 1e6 * (cost.insert_cpu_s + cost.finish_cpu_s) / static_cast<double>(pings));
 }
 
+/// "  carve: 412 removed_full, 96 removed_split"; nothing for a method without counts of its own.
+void print_tallies(const io::MethodReport& report) {
+  std::string counts;
+  for (const Tally& tally : report.tallies)
+    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", tally.count, tally.name);
+  if (!counts.empty()) fmt::print("  {}: {}\n", report.name, counts);
+}
+
 }  // namespace
 
 void print_pings(const Log& log, const SensingReport& sensing) {
@@ -47,6 +55,7 @@ void print_maps(const MapRun& run, const std::vector<io::MethodReport>& reports,
                std::to_string(report.cells_free), per_ping(run.result.costs[k], run.result.report.accepted())});
   }
   fmt::print("\n{}", table.text());
+  for (const io::MethodReport& report : reports) print_tallies(report);
   for (const io::MethodReport& report : reports)
     if (report.counters.memory_limit > 0)
       fmt::print(

@@ -30,12 +30,20 @@ Json counters_json(const InsertCounters& counters) {
           {"memory_limit", counters.memory_limit}};
 }
 
+Json tallies_json(const std::vector<Tally>& tallies) {
+  Json json = Json::object();
+  for (const Tally& tally : tallies) json[std::string(tally.name)] = tally.count;
+  return json;
+}
+
 Json method_json(const MethodReport& method) {
-  return {{"name", method.name},
-          {"options", to_json(method.options)},
-          {"counters", counters_json(method.counters)},
-          {"points", method.points},
-          {"cells", {{"free", method.cells_free}, {"occupied", method.cells_occupied}}}};
+  Json json = {{"name", method.name},
+               {"options", to_json(method.options)},
+               {"counters", counters_json(method.counters)},
+               {"points", method.points},
+               {"cells", {{"free", method.cells_free}, {"occupied", method.cells_occupied}}}};
+  if (!method.tallies.empty()) json["tallies"] = tallies_json(method.tallies);
+  return json;
 }
 
 Json input_json(const InputFile& input) {

@@ -45,6 +45,7 @@ struct MethodReport {
   std::string name;
   OptionMap options;  ///< in full, defaults included
   InsertCounters counters;
+  std::vector<Tally> tallies;  ///< counts that only this method keeps
   std::size_t points = 0;
   std::size_t cells_free = 0;
   std::size_t cells_occupied = 0;

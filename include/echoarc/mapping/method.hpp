@@ -30,6 +30,19 @@ struct InsertCounters {
   friend bool operator==(const InsertCounters&, const InsertCounters&) = default;
 };
 
+/// A count that only some methods keep, of arcs or whatever else they deal in: "removed_split" of arc carving.
+struct Tally {
+  std::string_view name;  ///< as files spell it; lives as long as the program
+  std::uint64_t count = 0;
+  friend bool operator==(const Tally&, const Tally&) = default;
+};
+
+/// A method that keeps counts of its own beside `InsertCounters`: always the same names in the same order.
+template <class M>
+concept Tallying = requires(const M method) {
+  { method.tallies() } -> std::same_as<std::vector<Tally>>;
+};
+
 /// One named number of a method's formula, for people who want to follow it step by step.
 struct Term {
   std::string_view name;

@@ -49,6 +49,7 @@ RunReport sample() {
   report.methods = {{.name = "dm",
                      .options = {{"cell_m", 0.01}, {"threshold", std::int64_t{2}}, {"thin", true}},
                      .counters = {.used = 4, .no_information = 2},
+                     .tallies = {{"removed_full", 3}, {"removed_split", 0}},
                      .points = 9,
                      .cells_occupied = 9}};
   return report;
@@ -100,6 +101,10 @@ TEST(RunReport, SaysEverythingInAFixedOrder) {
       "cells": {
         "free": 0,
         "occupied": 9
+      },
+      "tallies": {
+        "removed_full": 3,
+        "removed_split": 0
       }
     }
   ]
