@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "mapping/counted_arc.hpp"
-#include "mapping/grid_export.hpp"
+#include "mapping/point_export.hpp"
 #include "mapping/saved_state.hpp"
 
 namespace echoarc {
@@ -26,15 +26,6 @@ MapPoint middle_of(const Arc& arc, const Reading& reading) {
   return point;
 }
 
-CellBox cells_of(const PointMap& map, const GridGeometry& geometry) {
-  CellBox box;
-  for (const MapPoint& point : map.points()) {
-    const Cell cell = geometry.cell_of(point.position);
-    box = unite(box, {cell.i, cell.j, cell.i + 1, cell.j + 1});
-  }
-  return box;
-}
-
 }  // namespace
 
 void Centerline::insert(std::span<const Reading> readings, Executor& /*executor*/) {
@@ -51,18 +42,7 @@ void Centerline::insert(std::span<const Reading> readings, Executor& /*executor*
 }
 
 Result<MapExport> Centerline::export_map() const {
-  GridGeometry geometry = geometry_of(options_);
-  const CellBox box = cells_of(map_, geometry);
-  if (const Result<void> drawable = check_drawable(box, name); !drawable) return drawable.error();
-  geometry.origin = geometry.corner({box.i_begin, box.j_begin});
-  MapExport out;
-  out.points = map_;
-  out.states = DenseGrid<CellState>(geometry, std::int32_t(box.width()), std::int32_t(box.height()));
-  for (const MapPoint& point : map_.points()) {
-    const Cell cell = geometry_of(options_).cell_of(point.position);
-    out.states.at({cell.i - box.i_begin, cell.j - box.j_begin}) = CellState::occupied;
-  }
-  return out;
+  return export_points(map_, geometry_of(options_), name);
 }
 
 Trace Centerline::trace(const Reading& reading) const {
