@@ -11,6 +11,7 @@
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
+#include "echoarc/mapping/numakura.hpp"
 #include "echoarc/mapping/voting.hpp"
 
 namespace echoarc {
@@ -51,6 +52,9 @@ constexpr std::array methods{
     entry<EvidenceGrid>("Evidence grid",
                         "Occupancy in clamped log-odds from a sonar model; cells recover, silence clears.",
                         "[Choset03] II-A, II-B; [Silver04] 2.B"),
+    entry<Numakura>("Accumulation with outlier detection",
+                    "Adds up free and obstacle evidence, and lets readings that look like outliers count little.",
+                    "[Numakura] 4, 5"),
 };
 
 }  // namespace

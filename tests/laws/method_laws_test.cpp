@@ -7,6 +7,7 @@
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
+#include "echoarc/mapping/numakura.hpp"
 #include "echoarc/mapping/voting.hpp"
 
 namespace echoarc::laws {
@@ -25,6 +26,7 @@ ECHOARC_METHOD_LAWS(Voting);
 ECHOARC_METHOD_LAWS(DirectionalMaximum);
 ECHOARC_METHOD_LAWS(BayesUpdate);
 ECHOARC_METHOD_LAWS(EvidenceGrid);
+ECHOARC_METHOD_LAWS(Numakura);
 
 /// `axis` is left out: its direction is fixed in the world.
 TEST(DirectionalMaximumLaws, EveryDirectionOfInterestMovesWithTheWorld) {
