@@ -8,6 +8,7 @@
 #include <string>
 
 #include "echoarc/mapping/bayes_update.hpp"
+#include "echoarc/mapping/carve.hpp"
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
@@ -55,6 +56,9 @@ constexpr std::array methods{
     entry<Numakura>("Accumulation with outlier detection",
                     "Adds up free and obstacle evidence, and lets readings that look like outliers count little.",
                     "[Numakura] 4, 5"),
+    entry<Carve>("Arc carving",
+                 "Newer readings cut from older arcs what they found free: sharp points with no delay, ghosts removed.",
+                 "[Silver04] 3, 5.A"),
 };
 
 }  // namespace

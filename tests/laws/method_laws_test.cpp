@@ -4,6 +4,7 @@
 #include "laws/method_laws.hpp"
 
 #include "echoarc/mapping/bayes_update.hpp"
+#include "echoarc/mapping/carve.hpp"
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
@@ -27,6 +28,7 @@ ECHOARC_METHOD_LAWS(DirectionalMaximum);
 ECHOARC_METHOD_LAWS(BayesUpdate);
 ECHOARC_METHOD_LAWS(EvidenceGrid);
 ECHOARC_METHOD_LAWS(Numakura);
+ECHOARC_METHOD_LAWS(Carve);
 
 /// `axis` is left out: its direction is fixed in the world.
 TEST(DirectionalMaximumLaws, EveryDirectionOfInterestMovesWithTheWorld) {

@@ -49,6 +49,12 @@ class PointMap {
     support_.insert(support_.end(), support.begin(), support.end());
     points_.push_back(point);
   }
+  /// Keeps the first `count` points.
+  void truncate(std::size_t count) {
+    if (count >= points_.size()) return;
+    support_.resize(points_[count].support_begin);
+    points_.resize(count);
+  }
   [[nodiscard]] std::span<const MapPoint> points() const { return points_; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] bool empty() const { return points_.empty(); }
