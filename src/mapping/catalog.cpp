@@ -9,6 +9,7 @@
 
 #include "echoarc/mapping/bayes_update.hpp"
 #include "echoarc/mapping/carve.hpp"
+#include "echoarc/mapping/carved_grid.hpp"
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
@@ -59,6 +60,9 @@ constexpr std::array methods{
     entry<Carve>("Arc carving",
                  "Newer readings cut from older arcs what they found free: sharp points with no delay, ghosts removed.",
                  "[Silver04] 3, 5.A"),
+    entry<CarvedGrid>("Carved occupancy grid",
+                      "An evidence grid whose bands are as narrow as carving has left the arcs of their sensor.",
+                      "[Silver04] 4"),
 };
 
 }  // namespace

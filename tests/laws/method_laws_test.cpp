@@ -5,6 +5,7 @@
 
 #include "echoarc/mapping/bayes_update.hpp"
 #include "echoarc/mapping/carve.hpp"
+#include "echoarc/mapping/carved_grid.hpp"
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
@@ -29,6 +30,26 @@ ECHOARC_METHOD_LAWS(BayesUpdate);
 ECHOARC_METHOD_LAWS(EvidenceGrid);
 ECHOARC_METHOD_LAWS(Numakura);
 ECHOARC_METHOD_LAWS(Carve);
+ECHOARC_METHOD_LAWS(CarvedGrid);
+
+/// The other mode of the carved grid.
+struct DeferredOptions : CarvedGridOptions {
+  DeferredOptions() { mode = CarvedGridMode::deferred; }
+};
+class DeferredCarvedGrid : public CarvedGrid {
+ public:
+  using Options = DeferredOptions;
+  explicit DeferredCarvedGrid(const Options& options = {}) : CarvedGrid(options) {}
+  [[nodiscard]] static Result<DeferredCarvedGrid> restore(std::span<const std::byte> bytes) {
+    auto grid = CarvedGrid::restore(bytes);
+    if (!grid) return grid.error();
+    return DeferredCarvedGrid(std::move(*grid));
+  }
+
+ private:
+  explicit DeferredCarvedGrid(CarvedGrid&& grid) : CarvedGrid(std::move(grid)) {}
+};
+ECHOARC_METHOD_LAWS(DeferredCarvedGrid);
 
 /// `axis` is left out: its direction is fixed in the world.
 TEST(DirectionalMaximumLaws, EveryDirectionOfInterestMovesWithTheWorld) {
