@@ -27,6 +27,8 @@ Json counters_json(const InsertCounters& counters) {
   return {{"used", counters.used},
           {"no_information", counters.no_information},
           {"no_arc", counters.no_arc},
+          {"bistatic", counters.bistatic},
+          {"passed_over", counters.passed_over},
           {"memory_limit", counters.memory_limit}};
 }
 

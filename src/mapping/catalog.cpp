@@ -14,6 +14,7 @@
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
 #include "echoarc/mapping/numakura.hpp"
+#include "echoarc/mapping/triangulation_fusion.hpp"
 #include "echoarc/mapping/voting.hpp"
 
 namespace echoarc {
@@ -63,6 +64,9 @@ constexpr std::array methods{
     entry<CarvedGrid>("Carved occupancy grid",
                       "An evidence grid whose bands are as narrow as carving has left the arcs of their sensor.",
                       "[Silver04] 4"),
+    entry<TriangulationFusion>("Triangulation-based fusion",
+                               "Points where recent arcs meet, edges and poles told from walls: exact and sparse.",
+                               "[Barshan07] 3.7, after Wijk and Christensen"),
 };
 
 }  // namespace

@@ -10,16 +10,37 @@
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
 #include "echoarc/mapping/numakura.hpp"
+#include "echoarc/mapping/triangulation_fusion.hpp"
 #include "echoarc/mapping/voting.hpp"
 
 namespace echoarc::laws {
 
 template <>
 struct LawException<BayesUpdate> {
+  static constexpr std::string_view needs_baseline = "";
   static constexpr std::string_view cannot_recover =
       "[Barshan07] eqs. 7 and 8 only ever raise p_E and p_O: a cell that many echoes have passed keeps p_E = 1, and "
       "p_O = 1 lifts its value to 1/2 at most";
 };
+
+template <>
+struct LawException<TriangulationFusion> {
+  static constexpr std::string_view cannot_recover = "";
+  static constexpr std::string_view needs_baseline =
+      "[Barshan07] 3.7: points come out of triangles, and those need two positions of the sensor";
+};
+
+/// Round and round a pole: every reading meets all others of the window, at ten points.
+template <>
+std::vector<Reading> filling_readings<TriangulationFusion>() {
+  std::vector<Reading> readings;
+  for (int k = 0; k < 16000; ++k) {
+    const Angle heading = degrees(6.0 * k);
+    readings.push_back(test::monostatic_reading({-0.5 * unit(heading), heading}, Echo{0.5}));
+    readings.back().ping = PingId(k);
+  }
+  return readings;
+}
 
 namespace {
 
@@ -50,6 +71,7 @@ class DeferredCarvedGrid : public CarvedGrid {
   explicit DeferredCarvedGrid(CarvedGrid&& grid) : CarvedGrid(std::move(grid)) {}
 };
 ECHOARC_METHOD_LAWS(DeferredCarvedGrid);
+ECHOARC_METHOD_LAWS(TriangulationFusion);
 
 /// `axis` is left out: its direction is fixed in the world.
 TEST(DirectionalMaximumLaws, EveryDirectionOfInterestMovesWithTheWorld) {

@@ -25,7 +25,9 @@ namespace echoarc {
 struct InsertCounters {
   std::uint64_t used = 0;            ///< changed the map
   std::uint64_t no_information = 0;  ///< says nothing to this method (silence, to a method of arcs alone)
-  std::uint64_t no_arc = 0;  ///< bistatic geometry without an arc: path too short, axes more than 90 degrees apart
+  std::uint64_t no_arc = 0;       ///< bistatic geometry without an arc: path too short, axes more than 90 degrees apart
+  std::uint64_t bistatic = 0;     ///< receiver and transmitter differ, and the method takes circular arcs alone
+  std::uint64_t passed_over = 0;  ///< an echo that the method's options leave out, by range or by how soon it came
   std::uint64_t memory_limit = 0;  ///< left out because the grid had reached its memory limit
   friend bool operator==(const InsertCounters&, const InsertCounters&) = default;
 };

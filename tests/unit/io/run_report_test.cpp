@@ -95,6 +95,8 @@ TEST(RunReport, SaysEverythingInAFixedOrder) {
         "used": 4,
         "no_information": 2,
         "no_arc": 0,
+        "bistatic": 0,
+        "passed_over": 0,
         "memory_limit": 0
       },
       "points": 9,
