@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <span>
 
+#include "core/arc_pieces.hpp"
+
 namespace echoarc {
 namespace {
 
@@ -50,20 +52,6 @@ void add_edge(const Arc& older, Vec2 newer_centre, Vec2 edge, Breakpoints& break
   const double root = std::sqrt(rest);
   breakpoints.add((-c * p - root * q) * f + (-c * q + root * p) * g);
   breakpoints.add((-c * p + root * q) * f + (-c * q - root * p) * g);
-}
-
-/// Where a circle meets the circle that bounds a monostatic F.
-void add_front_of_circle(const Arc& older, const FreeSector& newer, Breakpoints& breakpoints) {
-  const Vec2 offset = older.centre() - newer.arc().centre();
-  const double d2 = squared_norm(offset);
-  if (d2 < eps_length_m * eps_length_m) return;  // concentric: inside or outside as a whole
-  const double r = older.range_m();
-  const double k = (newer.reach_m() * newer.reach_m() - d2 - r * r) / (2.0 * r);  // offset . v for unit direction v
-  const double rest = d2 - k * k;
-  if (!(rest >= 0.0)) return;
-  const double root = std::sqrt(rest);
-  breakpoints.add(k * offset + root * perpendicular(offset));
-  breakpoints.add(k * offset - root * perpendicular(offset));
 }
 
 /// Half path of the points of an arc above the front of F, as a function of the arc's parameter.
@@ -153,62 +141,16 @@ void add_front_by_search(const Arc& older, const FreeSector& newer, Breakpoints&
   }
 }
 
-/// A stretch of the arc that lies inside F, or outside.
-struct Piece {
-  Angle begin;
-  Angle end;
-  bool kept = false;
-  [[nodiscard]] bool counts() const { return end - begin >= min_arc; }
-};
-
-class Pieces {
- public:
-  /// Joins the piece to the last one if both have the same fate.
-  void add(const Piece& piece) {
-    if (count_ > 0 && pieces_[count_ - 1].kept == piece.kept)
-      pieces_[count_ - 1].end = piece.end;
-    else
-      pieces_[count_++] = piece;
-  }
-  [[nodiscard]] std::span<const Piece> all() const { return {pieces_.data(), count_}; }
-
- private:
-  std::array<Piece, 32> pieces_;
-  std::size_t count_ = 0;
-};
-
-Pieces cut(const Arc& older, const FreeSector& newer, std::span<const Angle> breakpoints) {
-  Pieces raw;
+detail::Pieces<Angle> cut(const Arc& older, const FreeSector& newer, std::span<const Angle> breakpoints) {
+  detail::Pieces<Angle> pieces;
   Angle begin = older.t_begin();
   const auto add_until = [&](Angle end) {
-    if (end > begin) raw.add({begin, end, !newer.contains(older.point_at(0.5 * (begin + end)))});
+    if (end > begin) pieces.add({begin, end, !newer.contains(older.point_at(0.5 * (begin + end)))});
     begin = end;
   };
   for (const Angle t : breakpoints) add_until(t);
   add_until(older.t_end());
-  Pieces pieces;
-  for (Piece piece : raw.all()) {
-    if (!piece.kept && !piece.counts()) piece.kept = true;
-    pieces.add(piece);
-  }
   return pieces;
-}
-
-Carving judge(const Arc& older, const Pieces& pieces) {
-  Carving carving{CarveOutcome::unchanged, older.t_begin(), older.t_end()};
-  int kept = 0;
-  for (const Piece& piece : pieces.all()) {
-    if (!piece.kept || !piece.counts()) continue;
-    ++kept;
-    carving.t_begin = piece.begin;
-    carving.t_end = piece.end;
-  }
-  if (kept == 1 && carving.t_begin == older.t_begin() && carving.t_end == older.t_end()) return carving;
-  if (kept == 1) {
-    carving.outcome = CarveOutcome::carved;
-    return carving;
-  }
-  return {kept == 0 ? CarveOutcome::removed_full : CarveOutcome::removed_split, older.t_begin(), older.t_end()};
 }
 
 }  // namespace
@@ -242,16 +184,32 @@ bool FreeSector::out_of_reach(const Arc& older) const {
   return !(reach_m_ > 0.0) || d2 >= far * far || (near > 0.0 && d2 <= near * near);
 }
 
+CarvableArc::CarvableArc(const Arc& arc) : arc_(arc), axis_(unit(arc.axis())) {
+  set_limits(arc.t_begin(), arc.t_end());
+}
+
+void CarvableArc::set_limits(Angle begin, Angle end) {
+  arc_.set_limits(begin, end);
+  begin_ = unit(arc_.axis() + begin);
+  end_ = unit(arc_.axis() + end);
+}
+
+Carving carve(const CarvableArc& older, const FreeSector& newer) {
+  const Arc& arc = older.arc();
+  const Carving unchanged{CarveOutcome::unchanged, arc.t_begin(), arc.t_end()};
+  if (newer.out_of_reach(arc)) return unchanged;
+  if (arc.is_circular() && newer.arc().is_circular()) return detail::carve_circle(older, newer);
+  Breakpoints breakpoints(arc);
+  add_edge(arc, newer.arc().centre(), newer.low_edge(), breakpoints);
+  add_edge(arc, newer.arc().centre(), newer.high_edge(), breakpoints);
+  add_front_by_search(arc, newer, breakpoints);
+  const detail::Verdict<Angle> verdict = judge(cut(arc, newer, breakpoints.sorted()));
+  if (verdict.outcome != CarveOutcome::carved) return {verdict.outcome, arc.t_begin(), arc.t_end()};
+  return {verdict.outcome, verdict.kept.begin, verdict.kept.end};
+}
+
 Carving carve(const Arc& older, const FreeSector& newer) {
-  if (newer.out_of_reach(older)) return {CarveOutcome::unchanged, older.t_begin(), older.t_end()};
-  Breakpoints breakpoints(older);
-  add_edge(older, newer.arc().centre(), newer.low_edge(), breakpoints);
-  add_edge(older, newer.arc().centre(), newer.high_edge(), breakpoints);
-  if (older.is_circular() && newer.arc().is_circular())
-    add_front_of_circle(older, newer, breakpoints);
-  else
-    add_front_by_search(older, newer, breakpoints);
-  return judge(older, cut(older, newer, breakpoints.sorted()));
+  return carve(CarvableArc(older), newer);
 }
 
 double max_error_m(const Arc& arc) {

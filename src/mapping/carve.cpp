@@ -3,8 +3,6 @@
 
 #include "echoarc/mapping/carve.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "mapping/carved_ring.hpp"
@@ -91,10 +89,7 @@ Trace Carve::trace(const Reading& reading) const {
 }
 
 bool Carve::supports(const Reading& reading, Vec2 position) const {
-  InsertCounters ignored;
-  const auto arc = carvable_arc(reading, options_.beam_policy, options_.max_range_m, ignored);
-  return arc && std::abs(arc->half_path_m(position) - arc->range_m()) <= eps_length_m &&
-         arc->contains_bearing(bearing(position - arc->centre()));
+  return on_carvable_arc(reading, options_.beam_policy, options_.max_range_m, position);
 }
 
 std::vector<std::byte> Carve::save() const {

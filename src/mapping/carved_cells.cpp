@@ -59,9 +59,9 @@ BandAmplitude remaining_band(const Remains& remains, const CarvedGridOptions& op
   if (remains.dead) return [](Angle) { return 0.0; };
   constexpr double certain = 0.45;
   const double uncarved = options.occupied_peak - 0.5;
-  const Angle begin = remains.arc.t_begin();
-  const Angle end = remains.arc.t_end();
-  const double sharpness = 2.0 * remains.arc.half_width() / (4.0 * std::max(end - begin, min_arc));
+  const Angle begin = remains.arc().t_begin();
+  const Angle end = remains.arc().t_end();
+  const double sharpness = 2.0 * remains.arc().half_width() / (4.0 * std::max(end - begin, min_arc));
   const double amplitude = uncarved + (certain - uncarved) * std::min(1.0, sharpness);
   return [=](Angle theta) { return theta >= begin && theta <= end ? amplitude : 0.0; };
 }

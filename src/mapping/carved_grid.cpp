@@ -154,7 +154,7 @@ void CarvedGrid::State::for_each_change(const Reading& reading, Visit&& visit) c
   const InverseSonarModel model = sonar_model(options_, beam->rim.half_width());
   BandAmplitude amplitude = gaussian_band(model);
   if (carvable && deferred())
-    amplitude = remaining_band({.arc = beam->rim}, options_);
+    amplitude = remaining_band({.left = CarvableArc(beam->rim)}, options_);
   else if (carvable)
     amplitude = present_band(reading, beam->rim.half_width());
   for (const RowSpan& row : raster_.spans(beam->rim))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace echoarc {
@@ -25,7 +26,7 @@ void Carver::carve(const ArcHistory& history, const Arc& newer, const ArcSource&
 }
 
 void Carver::apply(Remains& older, const FreeSector& newer, const ArcSource& by) {
-  const Carving carving = echoarc::carve(older.arc, newer);
+  const Carving carving = echoarc::carve(older.left, newer);
   switch (carving.outcome) {
     case CarveOutcome::unchanged: return;
     case CarveOutcome::removed_full:
@@ -39,15 +40,15 @@ void Carver::apply(Remains& older, const FreeSector& newer, const ArcSource& by)
     case CarveOutcome::carved: break;
   }
   if (!older.carved()) ++counts_.carved;
-  if (carving.t_begin > older.arc.t_begin()) older.low_by = by;
-  if (carving.t_end < older.arc.t_end()) older.high_by = by;
-  older.arc.set_limits(carving.t_begin, carving.t_end);
+  if (carving.t_begin > older.arc().t_begin()) older.low_by = by;
+  if (carving.t_end < older.arc().t_end()) older.high_by = by;
+  older.left.set_limits(carving.t_begin, carving.t_end);
 }
 
 void Carver::admit(const ArcHistory& history, ArcSlot slot) {
   if (slot >= remains_.size()) remains_.resize(slot + 1);
   const ArcSource& own = history.source(slot);
-  remains_[slot] = {history.arc(slot), history.box(slot), own, own, own, false};
+  remains_[slot] = {CarvableArc(history.arc(slot)), history.box(slot), own, own, own, false};
 }
 
 std::vector<Tally> Carver::tallies() const {
@@ -59,8 +60,8 @@ std::vector<Tally> Carver::tallies() const {
 
 void Carver::save(ByteWriter& out, ArcSlot slot) const {
   const Remains& remains = remains_[slot];
-  out.put(remains.arc.t_begin());
-  out.put(remains.arc.t_end());
+  out.put(remains.arc().t_begin());
+  out.put(remains.arc().t_end());
   for (const ArcSource* by : {&remains.low_by, &remains.high_by}) {
     out.put(by->ping);
     out.put(by->time_s);
@@ -79,13 +80,13 @@ bool Carver::restore(ByteReader& in, ArcSlot slot) {
     by->sensor = in.get<SensorId>();
   }
   remains.dead = in.get<std::uint8_t>() != 0;
-  if (!in.ok() || !(begin >= remains.arc.t_begin() && begin < end && end <= remains.arc.t_end())) return false;
-  remains.arc.set_limits(begin, end);
+  if (!in.ok() || !(begin >= remains.arc().t_begin() && begin < end && end <= remains.arc().t_end())) return false;
+  remains.left.set_limits(begin, end);
   return true;
 }
 
 void add_point(const Remains& remains, double max_error_m, PointMap& map) {
-  const Arc& arc = remains.arc;
+  const Arc& arc = remains.arc();
   const double error_m = echoarc::max_error_m(arc);
   if (remains.dead || error_m > max_error_m) return;
   std::array<PingId, 3> support{remains.own.ping};
@@ -117,6 +118,13 @@ std::optional<Arc> carvable_arc(const Reading& reading, BeamPolicy policy, doubl
   if (*range_m > 0.0 && is_beam(reading.beam_width)) arc = arc_of(reading, policy);
   if (!arc) ++counters.no_arc;
   return arc;
+}
+
+bool on_carvable_arc(const Reading& reading, BeamPolicy policy, double max_range_m, Vec2 position) {
+  InsertCounters ignored;
+  const auto arc = carvable_arc(reading, policy, max_range_m, ignored);
+  return arc && std::abs(arc->half_path_m(position) - arc->range_m()) <= eps_length_m &&
+         arc->contains_bearing(bearing(position - arc->centre()));
 }
 
 std::optional<Arc> silent_arc(const Reading& reading, BeamPolicy policy, double max_range_m) {

@@ -18,14 +18,17 @@ namespace echoarc {
 
 /// What newer readings left of one arc.
 struct Remains {
-  Arc arc;  ///< its limits hold what is left
-  Box box;  ///< holds what was left when the arc entered
+  CarvableArc left;  ///< its limits hold what is left
+  Box box;           ///< holds what was left when the arc entered
   ArcSource own;
   ArcSource low_by;   ///< the reading that set the beginning of what is left; its own where nothing was carved
   ArcSource high_by;  ///< the same of the end
   bool dead = false;  ///< removed: stays in the history for other methods, gives no point and is carved no more
 
-  [[nodiscard]] bool carved() const { return arc.t_begin() > -arc.half_width() || arc.t_end() < arc.half_width(); }
+  [[nodiscard]] const Arc& arc() const { return left.arc(); }
+  [[nodiscard]] bool carved() const {
+    return arc().t_begin() > -arc().half_width() || arc().t_end() < arc().half_width();
+  }
 };
 
 struct CarvingCounts {
@@ -85,6 +88,8 @@ template <class Options>
 /// none.
 [[nodiscard]] std::optional<Arc> carvable_arc(const Reading& reading, BeamPolicy policy, double max_range_m,
                                               InsertCounters& counters);
+/// Whether a position lies on the reading's carvable arc, within `eps_length_m`.
+[[nodiscard]] bool on_carvable_arc(const Reading& reading, BeamPolicy policy, double max_range_m, Vec2 position);
 /// The arc under which silence counts as free space: at the sensor's trusted range, at most `max_range_m`.
 [[nodiscard]] std::optional<Arc> silent_arc(const Reading& reading, BeamPolicy policy, double max_range_m);
 

@@ -13,7 +13,7 @@ void SensorMemory::leaves(const Reading& reading, const Remains& remains) {
   assert(!sensor.in_ring.empty());
   sensor.in_ring.pop_front();
   if (remains.dead) return;
-  sensor.left.push_back({remains.arc.t_begin(), remains.arc.t_end()});
+  sensor.left.push_back({remains.arc().t_begin(), remains.arc().t_end()});
   if (sensor.left.size() > arcs_) sensor.left.pop_front();
 }
 
@@ -25,7 +25,7 @@ std::optional<SurvivalProfile> SensorMemory::profile(const Reading& reading, con
   std::vector<AngleInterval> newest;
   for (auto slot = sensor.in_ring.rbegin(); slot != sensor.in_ring.rend() && newest.size() < arcs_; ++slot) {
     const Remains& remains = ring.remains(*slot);
-    if (!remains.dead && remains.carved()) newest.push_back({remains.arc.t_begin(), remains.arc.t_end()});
+    if (!remains.dead && remains.carved()) newest.push_back({remains.arc().t_begin(), remains.arc().t_end()});
   }
   for (auto left = sensor.left.rbegin(); left != sensor.left.rend() && newest.size() < arcs_; ++left)
     newest.push_back(*left);

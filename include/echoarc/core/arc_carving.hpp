@@ -42,6 +42,26 @@ class FreeSector {
   Box bounds_;
 };
 
+/// An arc that is carved again and again, with the directions that this takes at hand.
+class CarvableArc {
+ public:
+  CarvableArc() = default;
+  explicit CarvableArc(const Arc& arc);
+
+  [[nodiscard]] const Arc& arc() const { return arc_; }
+  void set_limits(Angle begin, Angle end);
+  /// Unit vectors from the arc's centre: along its axis, to its first and its last point.
+  [[nodiscard]] Vec2 axis() const { return axis_; }
+  [[nodiscard]] Vec2 begin() const { return begin_; }
+  [[nodiscard]] Vec2 end() const { return end_; }
+
+ private:
+  Arc arc_;
+  Vec2 axis_;
+  Vec2 begin_;
+  Vec2 end_;
+};
+
 /// What a newer reading made of an older arc.
 enum class CarveOutcome : std::uint8_t {
   unchanged,
@@ -61,6 +81,7 @@ struct Carving {
 /// Pieces of less than `min_arc` do not count: none so short is kept, and none so short divides an arc. Between circles
 /// the ends of the pieces are exact; where an ellipse is involved its crossings with the front of F are bisected to
 /// 1e-13 rad.
+[[nodiscard]] Carving carve(const CarvableArc& older, const FreeSector& newer);
 [[nodiscard]] Carving carve(const Arc& older, const FreeSector& newer);
 
 /// What is left of `arc` at most spans this chord from its middle: E_s = 2 r sin(E_m / 2), E_m = (t_end - t_begin) / 2
