@@ -70,6 +70,7 @@ void DirectionalMaximum::insert(std::span<const Reading> readings, Executor& /*e
     history_.add(reading, *arc);
     ++counters_.used;
   }
+  map_.votes.settle();
 }
 
 void DirectionalMaximum::finish(Executor& /*executor*/) {

@@ -16,6 +16,7 @@ void Voting::insert(std::span<const Reading> readings, Executor& /*executor*/) {
   for (const Reading& reading : readings)
     if (const auto arc = counted_arc(reading, options_.beam_policy, counters_))
       ++(votes_.add(*arc) ? counters_.used : counters_.memory_limit);
+  votes_.settle();
 }
 
 Result<MapExport> Voting::export_map() const {

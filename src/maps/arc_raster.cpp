@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "maps/arc_branches.hpp"
 #include "maps/raster_kernels.hpp"
 
 namespace echoarc {
@@ -17,29 +18,20 @@ namespace {
 /// cell, so it has met one neighbour in between; tighter arcs may meet more.
 constexpr double tight_radius_cells = 8.0;
 
-/// Cells in the order of the arc, each once. For a wide arc the two cells before are all that a new one can repeat; a
-/// tight arc has few cells, and all of them are compared.
+/// The cells of a tight arc in its order, each once: there are few, and all of them are compared.
 class DistinctCells {
  public:
-  DistinctCells(std::vector<Cell>& cells, std::size_t room, bool tight) : cells_(cells), tight_(tight) {
-    cells_.resize(room + sentinels);
-    cells_[0] = cells_[1] = {std::numeric_limits<std::int32_t>::min(), 0};  // no cell has this index
+  DistinctCells(std::vector<Cell>& cells, std::size_t room) : cells_(cells) {
+    cells_.clear();
+    cells_.reserve(room);
   }
   void add(Cell c) {
-    cells_[size_] = c;
-    bool seen = c == cells_[size_ - 1] || c == cells_[size_ - 2];
-    if (tight_) seen = std::ranges::find(get(), c) != get().end();
-    size_ += seen ? 0 : 1;
+    if (std::ranges::find(cells_, c) == cells_.end()) cells_.push_back(c);
   }
-  [[nodiscard]] std::span<const Cell> get() const {
-    return std::span<const Cell>(cells_).subspan(sentinels, size_ - sentinels);
-  }
+  [[nodiscard]] std::span<const Cell> get() const { return cells_; }
 
  private:
-  static constexpr std::size_t sentinels = 2;
   std::vector<Cell>& cells_;
-  std::size_t size_ = sentinels;
-  bool tight_;
 };
 
 /// n = max(2, ceil(arc length bound / (cell/2)) + 1) samples, both ends included.
@@ -122,7 +114,7 @@ std::span<const Cell> sampled_cells(const Arc& arc, const GridGeometry& geometry
   kernels::raster_kernels().arc_samples(shape, padded, scratch.data(), changes);
   const auto samples = std::span<const std::uint64_t>(scratch).subspan(1, count);
   if (shape.semi_major >= tight_radius_cells) return distinct_cells(samples, changes, cells);
-  DistinctCells distinct(cells, count, true);
+  DistinctCells distinct(cells, count);
   for (const std::uint64_t cell : samples) distinct.add(unpacked(cell));
   return distinct.get();
 }
@@ -148,6 +140,7 @@ void line_crossings(const Arc& arc, Vec2 n, double first, double spacing, double
   }
 }
 
+/// All crossings with grid lines, sorted; the middle between two lies in the cell between them.
 std::span<const Cell> exact_cells(const Arc& arc, const GridGeometry& geometry, std::vector<double>& ts,
                                   std::vector<Cell>& cells) {
   ts.assign({arc.t_begin().rad(), arc.t_end().rad()});
@@ -156,17 +149,58 @@ std::span<const Cell> exact_cells(const Arc& arc, const GridGeometry& geometry, 
   line_crossings(arc, {1, 0}, first.x, geometry.cell_m, box.high.x, ts);
   line_crossings(arc, {0, 1}, first.y, geometry.cell_m, box.high.y, ts);
   std::ranges::sort(ts);
-  DistinctCells distinct(cells, ts.size(), arc.range_m() < tight_radius_cells * geometry.cell_m);
+  DistinctCells distinct(cells, ts.size());
   for (std::size_t k = 1; k < ts.size(); ++k)
     if (ts[k] - ts[k - 1] > 1e-12) distinct.add(geometry.cell_of(arc.point_at(radians(0.5 * (ts[k - 1] + ts[k])))));
   return distinct.get();
 }
 
+/// The cells of one row of a branch, in the order in which the arc first enters them: from column `from` on, and where
+/// the row holds the branch's bulge to one side, first there and then back.
+void append_row(std::int32_t j, std::int32_t begin, std::int32_t end, std::int32_t from, std::int32_t to,
+                std::vector<Cell>& cells) {
+  const auto ascend = [&](std::int32_t i, std::int32_t stop) {
+    for (; i < stop; ++i) cells.push_back({i, j});
+  };
+  const auto descend = [&](std::int32_t i, std::int32_t stop) {
+    for (; i >= stop; --i) cells.push_back({i, j});
+  };
+  const std::int32_t entry = std::clamp(from, begin, std::max(begin, end - 1));
+  if (end - 1 > std::max(from, to) || to > from) {
+    ascend(entry, end);
+    descend(entry - 1, begin);
+  } else {
+    descend(std::min(entry, end - 1), begin);
+    ascend(entry + 1, end);
+  }
+}
+
 }  // namespace
 
+std::span<const ArcBranch> ArcRaster::branches(const Arc& arc) {
+  const double tightest_radius_m = arc.semi_minor_m() * arc.semi_minor_m() / arc.range_m();
+  if (sampling_ == ArcSampling::sampled || tightest_radius_m < tight_radius_cells * geometry_.cell_m) return {};
+  return find_branches(arc, geometry_, columns_, branches_);
+}
+
+std::span<const Cell> ArcRaster::cells_of_branches(std::span<const ArcBranch> branches) {
+  cells_.clear();
+  for (const ArcBranch& branch : branches) {
+    const std::size_t rows = branch.i_begin.size();
+    for (std::size_t n = 0; n < rows; ++n) {
+      const std::size_t k = branch.rising ? n : rows - 1 - n;
+      const std::int32_t from = branch.crossing[branch.rising ? k : k + 1];
+      const std::int32_t to = branch.crossing[branch.rising ? k + 1 : k];
+      append_row(branch.j_first + std::int32_t(k), branch.i_begin[k], branch.i_end[k], from, to, cells_);
+    }
+  }
+  return cells_;
+}
+
 std::span<const Cell> ArcRaster::cells(const Arc& arc) {
-  return sampling_ == ArcSampling::sampled ? sampled_cells(arc, geometry_, samples_, cells_)
-                                           : exact_cells(arc, geometry_, crossings_, cells_);
+  if (sampling_ == ArcSampling::sampled) return sampled_cells(arc, geometry_, samples_, cells_);
+  const std::span<const ArcBranch> wide = branches(arc);
+  return wide.empty() ? exact_cells(arc, geometry_, crossings_, cells_) : cells_of_branches(wide);
 }
 
 }  // namespace echoarc

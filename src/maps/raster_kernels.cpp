@@ -8,13 +8,15 @@ namespace echoarc::kernels {
 namespace plain {
 void sector_rows(const SectorShape&, std::int32_t, std::size_t, std::int32_t*, std::int32_t*);
 void arc_samples(const ArcShape&, std::size_t, std::uint64_t*, std::uint64_t*);
-constexpr RasterKernels table{"plain", sector_rows, arc_samples};
+void arc_rows(const ArcRowShape&, std::size_t, std::int32_t*, std::int32_t*, std::int32_t*);
+constexpr RasterKernels table{"plain", sector_rows, arc_samples, arc_rows};
 }  // namespace plain
 #ifdef ECHOARC_HAVE_AVX2
 namespace avx2 {
 void sector_rows(const SectorShape&, std::int32_t, std::size_t, std::int32_t*, std::int32_t*);
 void arc_samples(const ArcShape&, std::size_t, std::uint64_t*, std::uint64_t*);
-constexpr RasterKernels table{"avx2", sector_rows, arc_samples};
+void arc_rows(const ArcRowShape&, std::size_t, std::int32_t*, std::int32_t*, std::int32_t*);
+constexpr RasterKernels table{"avx2", sector_rows, arc_samples, arc_rows};
 }  // namespace avx2
 #endif
 

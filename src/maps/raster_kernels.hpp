@@ -58,6 +58,24 @@ struct ArcShape {
   bool circular;
 };
 
+/// One branch of an arc, rising or falling all the way, in units of cells: at the height dy above the centre it lies at
+///
+///     x = centre_x + shear dy + side sqrt(half_squared - narrowing dy^2),
+///
+/// counted from a column left of it, so that truncation is floor.
+struct ArcRowShape {
+  double centre_x;
+  double first_dy;  ///< of the lower edge of the second row
+  double shear;
+  double half_squared;
+  double narrowing;
+  double side;          ///< 1 right, -1 left
+  std::int32_t i_base;  ///< the column from which x is counted
+  std::int32_t i_last;  ///< the rightmost column the whole curve enters, not counted from it
+  std::int32_t i_low;   ///< columns of the lower and the upper end of the branch
+  std::int32_t i_high;
+};
+
 struct RasterKernels {
   const char* instruction_set;
   /// The columns i_begin[k] <= i < i_end[k] of row j_first + k, for 0 <= k < count; i_end <= i_begin where there are
@@ -68,6 +86,11 @@ struct RasterKernels {
   /// k % 64 of changes[k / 64] whether it differs from the one before; bit 0 is set. `count` is a multiple of
   /// `arc_lanes`; there is room for count + 1 cells.
   void (*arc_samples)(const ArcShape& shape, std::size_t count, std::uint64_t* cells, std::uint64_t* changes);
+  /// Where a branch crosses `count` rows: crossing[k] is the column in which it meets the lower edge of row k
+  /// (crossing[0] and crossing[count]: its ends), and between two edges it runs through i_begin[k] <= i < i_end[k].
+  /// There is room for count + 1 crossings and count columns, rounded up to a multiple of `arc_lanes`, plus one.
+  void (*arc_rows)(const ArcRowShape& shape, std::size_t count, std::int32_t* crossing, std::int32_t* i_begin,
+                   std::int32_t* i_end);
 };
 
 /// The kernels for this processor, chosen once. All of them give the same cells.

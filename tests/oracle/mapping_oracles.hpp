@@ -14,6 +14,7 @@
 #include "echoarc/core/arc.hpp"
 #include "echoarc/mapping/bayes_update.hpp"
 #include "echoarc/maps/grid_geometry.hpp"
+#include "support/slow_arc_cells.hpp"
 
 /// Slow, obvious versions of the methods, straight from the papers: whole grids, one cell at a time, atan2 everywhere.
 /// For testing purposes only.
@@ -21,20 +22,12 @@ namespace echoarc::oracle {
 
 using Counts = std::map<Cell, int>;
 
-/// [Barshan07] 3.2: walks each arc in steps of at most half a cell and counts it once in every cell it meets.
+/// [Barshan07] 3.2: counts each arc once in every cell it crosses.
 inline Counts votes(std::span<const Reading> readings, const GridGeometry& geometry) {
   Counts counts;
-  for (const Reading& reading : readings) {
-    const auto arc = arc_of(reading);
-    if (!arc) continue;
-    const Angle width = arc->t_end() - arc->t_begin();
-    const double length_m = width.rad() * arc->range_m() * arc->range_m() / arc->semi_minor_m();
-    const int samples = std::max(2, int(std::ceil(length_m / (geometry.cell_m / 2.0))) + 1);
-    std::set<Cell> crossed;
-    for (int k = 0; k < samples; ++k)
-      crossed.insert(geometry.cell_of(arc->point_at(arc->t_begin() + width * (double(k) / (samples - 1)))));
-    for (const Cell cell : crossed) ++counts[cell];
-  }
+  for (const Reading& reading : readings)
+    if (const auto arc = arc_of(reading))
+      for (const Cell cell : test::slow_exact_cells(geometry, *arc)) ++counts[cell];
   return counts;
 }
 

@@ -119,7 +119,7 @@ struct DirectionalMaximumOptions {
   int max_memory_mib = 1024;
   BeamPolicy beam_policy = BeamPolicy::bisector;
   int threshold = 4;
-  ArcSampling sampling = ArcSampling::sampled;
+  ArcSampling sampling = ArcSampling::exact;
   DirectionOfInterest doi = DirectionOfInterest::automatic;
   Angle axis = degrees(90.0);
   TieRule tie = TieRule::near;

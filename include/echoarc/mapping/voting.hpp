@@ -32,7 +32,7 @@ struct VotingOptions {
   int max_memory_mib = 1024;
   BeamPolicy beam_policy = BeamPolicy::bisector;
   int threshold = 4;
-  ArcSampling sampling = ArcSampling::sampled;
+  ArcSampling sampling = ArcSampling::exact;
 
   static constexpr auto fields() {
     return std::tuple_cat(grid_fields<VotingOptions>(), arc_fields<VotingOptions>(), vote_fields<VotingOptions>());

@@ -10,6 +10,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "echoarc/core/rng.hpp"
+#include "support/slow_arc_cells.hpp"
 
 namespace echoarc {
 namespace {
@@ -99,6 +100,29 @@ RC_GTEST_PROP(ArcRasterProperty, SampledEqualsTheSlowForm, (std::uint64_t seed))
     RC_ASSERT(distinct.size() == cells.size());
     RC_ASSERT(distinct == slow_sampled_cells(grid, arc));
   }
+}
+
+RC_GTEST_PROP(ArcRasterProperty, ExactEqualsTheSlowForm, (std::uint64_t seed)) {
+  Rng rng(seed);
+  const GridGeometry grid{.cell_m = rng.below(2) == 0 ? 0.01 : 0.05,
+                          .origin = {rng.uniform(-1, 1), rng.uniform(-1, 1)}};
+  for (int k = 0; k < 5; ++k) {
+    const Arc arc = arbitrary_arc(rng);
+    const auto cells = cells_of(grid, arc, ArcSampling::exact);
+    const std::set<Cell> distinct(cells.begin(), cells.end());
+    RC_ASSERT(distinct.size() == cells.size());
+    RC_ASSERT(distinct == test::slow_exact_cells(grid, arc));
+  }
+}
+
+// Whole quarter turns about a cell corner, with the outermost points of the arc on grid lines.
+TEST(ArcRaster, ArcThatTouchesGridLinesDoesNotEnterThem) {
+  const GridGeometry grid{.cell_m = 0.01};
+  const auto right = cells_of(grid, Arc::circular({0, 0}, degrees(0.0), 1.0, degrees(30.0)), ArcSampling::exact);
+  const auto up = cells_of(grid, Arc::circular({0, 0}, degrees(90.0), 1.0, degrees(30.0)), ArcSampling::exact);
+  EXPECT_EQ(right.size(), up.size());
+  for (const Cell c : right) EXPECT_LT(c.i, 100);
+  for (const Cell c : up) EXPECT_LT(c.j, 100);
 }
 
 RC_GTEST_PROP(ArcRasterProperty, ExactHoldsEverySampleAndLeavesNoGap, (std::uint64_t seed)) {

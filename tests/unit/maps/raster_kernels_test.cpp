@@ -165,5 +165,51 @@ TEST(ArcSamples, SameCellsFromEveryInstructionSet) {
   }
 }
 
+struct Rows {
+  std::vector<std::int32_t> crossing;
+  Columns columns;
+  friend bool operator==(const Rows&, const Rows&) = default;
+};
+
+Rows rows(const RasterKernels& kernels, const ArcRowShape& shape, std::size_t count) {
+  const std::size_t room = (count + arc_lanes) / arc_lanes * arc_lanes + arc_lanes;
+  Rows r{std::vector<std::int32_t>(room), {std::vector<std::int32_t>(room), std::vector<std::int32_t>(room)}};
+  kernels.arc_rows(shape, count, r.crossing.data(), r.columns.begin.data(), r.columns.end.data());
+  r.crossing.resize(count + 1);
+  r.columns.begin.resize(count);
+  r.columns.end.resize(count);
+  return r;
+}
+
+TEST(ArcRows, RightSideOfACircle) {
+  // Radius 5 about (20.5, 0): from (25, 2.2) the edges of rows 3, 4 and 5 meet it at x = 24.5, 23.5 and 20.5.
+  ArcRowShape shape{.centre_x = 0.5 + 10.0, .first_dy = 3.0, .half_squared = 25.0, .narrowing = 1.0, .side = 1.0};
+  shape.i_base = 10;
+  shape.i_last = 25;
+  shape.i_low = 24;
+  shape.i_high = 20;
+  const Rows expected{{24, 24, 23, 20}, {{24, 23, 20}, {25, 25, 24}}};
+  for (const auto* kernels : all_kernels()) EXPECT_EQ(rows(*kernels, shape, 3), expected) << kernels->instruction_set;
+}
+
+TEST(ArcRows, SameColumnsFromEveryInstructionSet) {
+  const auto list = all_kernels();
+  Rng rng(8);
+  for (int k = 0; k < 2000; ++k) {
+    const double radius = rng.uniform(8.0, 900.0);
+    ArcRowShape shape{.centre_x = radius + rng.uniform(1.0, 2.0),
+                      .first_dy = -radius * rng.uniform(),
+                      .shear = rng.uniform(-0.2, 0.2),
+                      .half_squared = radius * radius,
+                      .narrowing = rng.uniform(0.5, 1.5),
+                      .side = k % 2 == 0 ? 1.0 : -1.0};
+    shape.i_base = std::int32_t(rng.below(2000)) - 1000;
+    shape.i_last = shape.i_base + std::int32_t(2.0 * radius);
+    const std::size_t count = 1 + rng.below(std::uint64_t(radius));
+    const Rows first = rows(*list.front(), shape, count);
+    for (const auto* kernels : list) ASSERT_EQ(rows(*kernels, shape, count), first) << kernels->instruction_set;
+  }
+}
+
 }  // namespace
 }  // namespace echoarc::kernels
