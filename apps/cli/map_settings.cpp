@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "echoarc/io/config.hpp"
-#include "echoarc/mapping/catalog.hpp"
 
 namespace echoarc::cli {
 namespace {
@@ -116,6 +115,19 @@ class SettingCollector {
 
 }  // namespace
 
+void declare_settings(CLI::App& app, SettingArguments& arguments) {
+  app.add_option("--method", arguments.methods, "methods to run, or all; see `echoarc methods`")
+      ->delimiter(',')
+      ->type_name("A,B")
+      ->capture_default_str();
+  app.add_option("--set", arguments.settings,
+                 "METHOD.OPTION=VALUE, sensing.OPTION=VALUE, or OPTION=VALUE for all methods that have it; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+  app.add_option("--config", arguments.config, "TOML with a table of options per method and `sensing`")
+      ->type_name("FILE");
+}
+
 std::variant<MapSettings, SettingFault> resolve_settings(const SettingArguments& arguments) {
   Result<std::vector<std::string>> methods = choose_methods(arguments.methods);
   if (!methods) return SettingFault{methods.error()};
@@ -126,6 +138,17 @@ std::variant<MapSettings, SettingFault> resolve_settings(const SettingArguments&
   for (const std::string& setting : arguments.settings)
     if (const Result<void> added = collector.add(setting); !added) return SettingFault{added.error()};
   return collector.take();
+}
+
+Result<std::vector<AnyMethod>> make_methods(const MapSettings& settings) {
+  std::vector<AnyMethod> methods;
+  for (const std::string& name : settings.methods) {
+    const auto options = settings.options.find(name);
+    Result<AnyMethod> method = make_method(name, options == settings.options.end() ? OptionMap{} : options->second);
+    if (!method) return method.error();
+    methods.push_back(std::move(*method));
+  }
+  return methods;
 }
 
 }  // namespace echoarc::cli

@@ -8,8 +8,11 @@
 #include <string>
 #include <vector>
 
+#include <CLI/App.hpp>
+
 #include "echoarc/core/options.hpp"
 #include "echoarc/core/result.hpp"
+#include "echoarc/mapping/catalog.hpp"
 #include "echoarc/sensing/sensing_options.hpp"
 
 namespace echoarc::cli {
@@ -20,6 +23,9 @@ struct SettingArguments {
   std::vector<std::string> settings;                   ///< of --set, in their order: a later one wins
   std::filesystem::path config;                        ///< TOML with a table per method and `sensing`; empty: none
 };
+
+/// Declares --method, --set and --config.
+void declare_settings(CLI::App& app, SettingArguments& arguments);
 
 /// Which methods run, and with what.
 struct MapSettings {
@@ -37,5 +43,8 @@ struct SettingFault {
 /// Config file first, --set over it. `METHOD.OPTION` and `sensing.OPTION` name their owner; a bare `OPTION` is given to
 /// every chosen method that has it, or to sensing where none has.
 [[nodiscard]] std::variant<MapSettings, SettingFault> resolve_settings(const SettingArguments& arguments);
+
+/// The methods, empty, in the order of the settings.
+[[nodiscard]] Result<std::vector<AnyMethod>> make_methods(const MapSettings& settings);
 
 }  // namespace echoarc::cli

@@ -44,6 +44,7 @@ struct Verb {
 [[nodiscard]] Verb map_verb();
 [[nodiscard]] Verb eval_verb();
 [[nodiscard]] Verb methods_verb();
+[[nodiscard]] Verb bench_verb();
 [[nodiscard]] Verb convert_verb();
 
 }  // namespace echoarc::cli

@@ -69,17 +69,6 @@ Result<void> check_apart(const fs::path& log, const fs::path& output) {
                "choose another folder with -o"};
 }
 
-Result<std::vector<AnyMethod>> make_methods(const MapSettings& settings) {
-  std::vector<AnyMethod> methods;
-  for (const std::string& name : settings.methods) {
-    const auto options = settings.options.find(name);
-    Result<AnyMethod> method = make_method(name, options == settings.options.end() ? OptionMap{} : options->second);
-    if (!method) return method.error();
-    methods.push_back(std::move(*method));
-  }
-  return methods;
-}
-
 /// An error when nothing, or next to nothing, can be mapped: an empty map without a reason helps nobody.
 Result<void> check_usable(const Log& log, const LogRun& run) {
   const bool hopeless = run.report.echoes == 0 && run.report.rejected_pings.total() > run.report.accepted();
@@ -182,16 +171,7 @@ ExitStatus run(const MapArguments& arguments) {
 Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<MapArguments>();
   declare_log(app, arguments->input);
-  app.add_option("--method", arguments->settings.methods, "methods to run, or all; see `echoarc methods`")
-      ->delimiter(',')
-      ->type_name("A,B")
-      ->capture_default_str();
-  app.add_option("--set", arguments->settings.settings,
-                 "METHOD.OPTION=VALUE, sensing.OPTION=VALUE, or OPTION=VALUE for all methods that have it; repeatable")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE");
-  app.add_option("--config", arguments->settings.config, "TOML with a table of options per method and `sensing`")
-      ->type_name("FILE");
+  declare_settings(app, arguments->settings);
   app.add_option("--threads", arguments->threads, "how many threads work; the maps do not depend on it")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N")

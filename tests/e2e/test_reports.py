@@ -222,6 +222,27 @@ class MethodsTest(CommandTest):
         self.succeed("map", "room.jsonl", "--method", "all", *settings)
 
 
+class BenchTest(CommandTest):
+    def test_every_method_beside_its_paper(self):
+        fixtures.write_room(self.dir / "room.jsonl")
+        report = strict_json(self.succeed("bench", "room.jsonl", "--runs", "2", "--json"))
+        names = [method["name"] for method in strict_json(self.succeed("methods", "--json")) if method["name"] != "sensing"]
+        self.assertEqual([method["name"] for method in report["methods"]], names)
+        self.assertEqual(report["runs"], 2)
+        for method in report["methods"]:
+            self.assertGreater(method["per_ping_s"], 0.0)
+            self.assertGreaterEqual(method["total_cpu_s"], method["per_ping_s"])
+        papers = {method["name"]: method["paper_per_arc_s"] for method in report["methods"]}
+        self.assertAlmostEqual(papers["bu"], 0.587 / 738)
+        self.assertIsNone(papers["evidence"])
+
+    def test_nothing_to_measure(self):
+        fixtures.write_room(self.dir / "room.jsonl")
+        self.assert_refused(self.run_command("bench", "room.jsonl", "--method", "nope"), "no method nope", status=2)
+        fixtures.write_room(self.dir / "silent.jsonl", count=0)
+        self.assert_refused(self.run_command("bench", "silent.jsonl"), "none of its pings")
+
+
 class ConvertTest(CommandTest):
     def test_keeps_what_it_does_not_know(self):
         records = list(fixtures.room_records(count=4))
