@@ -15,7 +15,7 @@ namespace {
 
 /// Deflate packs at most 1032 bytes into one, and a PNG pixel is at least one bit: what is claimed beyond that is not
 /// there.
-constexpr std::uint64_t most_pixels_a_byte = 1032 * 8;
+constexpr std::uint64_t most_pixels_a_byte = std::uint64_t{1032} * 8;
 
 /// libpng's simplified interface; it reports errors by return value and keeps the message.
 class PngImage {
