@@ -18,9 +18,10 @@ ALLOWED: dict[str, set[str]] = {
     "sensing": {"core"},
     "maps": {"core"},
     "mapping": {"core", "maps"},
+    "features": {"core", "maps"},
     "eval": {"core", "maps"},
     "pipeline": {"core", "sensing", "maps", "mapping"},
-    "io": {"core", "sensing", "maps", "mapping", "eval"},
+    "io": {"core", "sensing", "maps", "mapping", "features", "eval"},
 }
 LIBRARY_PARTS = set(ALLOWED)
 OUTER_FOLDERS = {"apps", "bench", "tests", "examples", "fuzz"}  # these may include every part, `io` among them
