@@ -13,6 +13,8 @@
 namespace echoarc::cli {
 namespace {
 
+constexpr std::string_view features_folder_name = "features";
+
 std::vector<Vec2> positions_of(std::span<const Odometry> path) {
   std::vector<Vec2> positions;
   for (const Odometry& pose : path) positions.push_back(pose.T_world_robot.position);
@@ -23,8 +25,14 @@ std::size_t count_cells(const DenseGrid<CellState>& states, CellState wanted) {
   return static_cast<std::size_t>(std::ranges::count(states.values(), wanted));
 }
 
-Result<io::MethodReport> write_map(const std::filesystem::path& folder, const AnyMethod& method, const std::string& log,
-                                   std::span<const Vec2> path) {
+struct MapContext {
+  const MapRun& run;
+  std::string log;  ///< its name, for titles
+  std::vector<Vec2> path;
+};
+
+Result<io::MethodReport> write_map(const std::filesystem::path& folder, const AnyMethod& method,
+                                   const MapContext& context) {
   const std::string name(method.name());
   const Result<MapExport> map = method.export_map();
   if (!map) {
@@ -32,8 +40,12 @@ Result<io::MethodReport> write_map(const std::filesystem::path& folder, const An
     error.message = fmt::format("method {}: {}", name, error.message);
     return error;
   }
-  const std::string title = fmt::format("{}: {}", log, find_method(name)->title);
-  const Result<void> written = io::write_method_output(folder / name, *map, {.title = title, .path = path});
+  const Result<std::vector<Feature>> features =
+      context.run.features.write_lines(folder / features_folder_name, name, map->points, context.run.log.frame);
+  if (!features) return features.error();
+  const std::string title = fmt::format("{}: {}", context.log, find_method(name)->title);
+  const Result<void> written =
+      io::write_method_output(folder / name, *map, {.title = title, .path = context.path, .features = *features});
   if (!written) return written.error();
   return io::MethodReport{.name = name,
                           .options = method.options(),
@@ -46,14 +58,16 @@ Result<io::MethodReport> write_map(const std::filesystem::path& folder, const An
 
 }  // namespace
 
-Result<std::vector<io::MethodReport>> write_maps(const std::filesystem::path& folder, const MapRun& run) {
-  const std::vector<Vec2> path = positions_of(run.result.path);
+Result<std::vector<io::MethodReport>> write_maps(const std::filesystem::path& folder, MapRun& run) {
   if (const Result<void> written = io::write_path_csv(folder / io::path_csv_name, run.result.path); !written)
     return written.error();
-  const std::string log = std::filesystem::path(run.log.source).filename().string();
+  const auto written = run.features.write_arc_features(folder / features_folder_name, run.log.frame);
+  if (!written) return written.error();
+  const MapContext context{run, std::filesystem::path(run.log.source).filename().string(),
+                           positions_of(run.result.path)};
   std::vector<io::MethodReport> reports;
   for (const AnyMethod& method : run.methods) {
-    Result<io::MethodReport> report = write_map(folder, method, log, path);
+    Result<io::MethodReport> report = write_map(folder, method, context);
     if (!report) return report.error();
     reports.push_back(std::move(*report));
   }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/feature_extraction.hpp"
 #include "echoarc/io/config.hpp"
 
 namespace echoarc::cli {
@@ -18,6 +19,7 @@ constexpr std::string_view sensing_name = "sensing";
 std::vector<io::OptionSection> all_sections() {
   std::vector<io::OptionSection> sections{{std::string(sensing_name), option_specs<SensingOptions>()}};
   for (const MethodEntry& entry : catalog()) sections.push_back({std::string(entry.name), entry.specs()});
+  for (const OptionGroup& group : feature_groups()) sections.push_back({std::string(group.name), group.specs});
   return sections;
 }
 
@@ -44,8 +46,8 @@ Result<std::vector<std::string>> choose_methods(const std::vector<std::string>& 
 /// Collects values for sensing and the chosen methods.
 class SettingCollector {
  public:
-  explicit SettingCollector(std::vector<std::string> methods)
-      : sections_(all_sections()), settings_{std::move(methods), {}, {}} {}
+  SettingCollector(std::vector<std::string> methods, std::vector<std::string> features)
+      : sections_(all_sections()), settings_{std::move(methods), std::move(features), {}, {}} {}
 
   [[nodiscard]] Result<void> add_config(const std::filesystem::path& path) {
     const Result<io::Config> config = io::read_config_toml(path, sections_);
@@ -62,6 +64,11 @@ class SettingCollector {
       return add_bare(key, text.substr(key.size() + 1));
     const Result<io::Setting> setting = io::parse_setting(text, sections_);
     if (!setting) return setting.error();
+    const bool is_feature =
+        std::ranges::find(feature_groups(), setting->section, &OptionGroup::name) != feature_groups().end();
+    if (!takes_part(setting->section) && is_feature)
+      return Error{ErrorCode::bad_value, fmt::format("{} are not among the features of this run", setting->section),
+                   "--set " + text, fmt::format("add them: --features {}", setting->section)};
     if (!takes_part(setting->section))
       return Error{ErrorCode::bad_value, fmt::format("{} is not among the methods of this run", setting->section),
                    "--set " + text,
@@ -74,7 +81,10 @@ class SettingCollector {
 
  private:
   [[nodiscard]] bool takes_part(std::string_view section) const {
-    return section == sensing_name || std::ranges::find(settings_.methods, section) != settings_.methods.end();
+    const auto among = [&](const std::vector<std::string>& names) {
+      return std::ranges::find(names, section) != names.end();
+    };
+    return section == sensing_name || among(settings_.methods) || among(settings_.features);
   }
 
   void put(const std::string& section, const std::string& option, const OptionValue& value) {
@@ -131,7 +141,9 @@ void declare_settings(CLI::App& app, SettingArguments& arguments) {
 std::variant<MapSettings, SettingFault> resolve_settings(const SettingArguments& arguments) {
   Result<std::vector<std::string>> methods = choose_methods(arguments.methods);
   if (!methods) return SettingFault{methods.error()};
-  SettingCollector collector(std::move(*methods));
+  Result<std::vector<std::string>> features = choose_features(arguments.features);
+  if (!features) return SettingFault{features.error()};
+  SettingCollector collector(std::move(*methods), std::move(*features));
   if (!arguments.config.empty())
     if (const Result<void> added = collector.add_config(arguments.config); !added)
       return SettingFault{added.error(), false};

@@ -21,6 +21,7 @@ namespace echoarc::cli {
 struct SettingArguments {
   std::vector<std::string> methods{"dm", "evidence"};  ///< "all" alone: the whole catalogue
   std::vector<std::string> settings;                   ///< of --set, in their order: a later one wins
+  std::vector<std::string> features;                   ///< names of extractors, or "all"
   std::filesystem::path config;                        ///< TOML with a table per method and `sensing`; empty: none
 };
 
@@ -29,9 +30,10 @@ void declare_settings(CLI::App& app, SettingArguments& arguments);
 
 /// Which methods run, and with what.
 struct MapSettings {
-  std::vector<std::string> methods;  ///< names of the catalogue, no two alike
+  std::vector<std::string> methods;   ///< names of the catalogue, no two alike
+  std::vector<std::string> features;  ///< names of extractors, no two alike
   OptionMap sensing;
-  std::map<std::string, OptionMap> options;  ///< by method; what was given, defaults left out
+  std::map<std::string, OptionMap> options;  ///< by method or extractor; what was given, defaults left out
 };
 
 /// An error, and whether the command line or a file is to blame.

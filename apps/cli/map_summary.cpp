@@ -56,6 +56,7 @@ void print_maps(const MapRun& run, const std::vector<io::MethodReport>& reports,
   }
   fmt::print("\n{}", table.text());
   for (const io::MethodReport& report : reports) print_tallies(report);
+  for (const std::string& line : run.features.summary()) fmt::print("  {}\n", line);
   for (const io::MethodReport& report : reports)
     if (report.counters.memory_limit > 0)
       fmt::print(

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/feature_extraction.hpp"
 #include "echoarc/io/config.hpp"
 #include "echoarc/mapping/catalog.hpp"
 #include "echoarc/sensing/sensing_options.hpp"
@@ -28,6 +29,7 @@ std::vector<OptionGroup> option_groups() {
                                    option_specs<SensingOptions>()}};
   for (const MethodEntry& entry : catalog())
     groups.push_back({entry.name, entry.title, entry.summary, entry.source, entry.specs()});
+  groups.insert(groups.end(), feature_groups().begin(), feature_groups().end());
   return groups;
 }
 

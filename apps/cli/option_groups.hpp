@@ -14,8 +14,8 @@
 
 namespace echoarc::cli {
 
-/// Options that are set under one name: `--set NAME.OPTION=VALUE`. Every method of the catalogue is a group, and so is
-/// `sensing`, which all methods share.
+/// Options that are set under one name: `--set NAME.OPTION=VALUE`. Every method of the catalogue is a group, every
+/// extractor of features, and `sensing`, which all share.
 struct OptionGroup {
   std::string_view name;
   std::string_view title;
@@ -24,7 +24,7 @@ struct OptionGroup {
   std::vector<OptionSpec> specs;
 };
 
-/// `sensing`, then the methods in the order of the catalogue.
+/// `sensing`, then the methods in the order of the catalogue, then the extractors of features.
 [[nodiscard]] std::vector<OptionGroup> option_groups();
 
 /// The group with everything known of each option, under the keywords of JSON Schema.

@@ -55,6 +55,7 @@ std::string canonical_command(const MapArguments& arguments, const MapSettings& 
   add("--odometry", arguments.input.odometry.string());
   add("--robot", arguments.input.robot.string());
   add("--method", fmt::format("{}", fmt::join(settings.methods, ",")));
+  add("--features", fmt::format("{}", fmt::join(settings.features, ",")));
   add("--config", arguments.settings.config.string());
   for (const std::string& setting : arguments.settings.settings) add("--set", setting);
   add("--seed", std::to_string(arguments.seed));
@@ -90,13 +91,13 @@ Result<void> check_usable(const Log& log, const LogRun& run) {
 }
 
 LogRun run_methods(const Log& log, const SensingOptions& sensing, std::vector<AnyMethod>& methods,
-                   std::size_t threads) {
+                   FeatureExtraction& features, std::size_t threads) {
   host::ThreadPool pool(threads);
   ProgressBar bar("mapping");
   const PipelineHost callbacks{.progress = [&](double fraction) { bar.show(fraction); },
                                .cancelled = &host::InterruptGuard::interrupted,
                                .thread_cpu_s = &host::thread_cpu_time_s,
-                               .readings = {}};
+                               .readings = [&](std::span<const Reading> readings) { features.insert(readings); }};
   return run_log(log, sensing, methods, pool, callbacks);
 }
 
@@ -135,6 +136,8 @@ Result<ExitStatus> map_log(const MapArguments& arguments, const MapSettings& set
   if (!sensing) return sensing.error();
   Result<std::vector<AnyMethod>> methods = make_methods(settings);
   if (!methods) return methods.error();
+  Result<FeatureExtraction> features = FeatureExtraction::make(settings.features, settings.options);
+  if (!features) return features.error();
   const fs::path output = arguments.output.empty() ? default_output(arguments.input.log) : arguments.output;
   if (const Result<void> apart = check_apart(arguments.input.log, output); !apart) return apart.error();
   const Result<Log> log = load_log(arguments.input);
@@ -144,8 +147,8 @@ Result<ExitStatus> map_log(const MapArguments& arguments, const MapSettings& set
   const host::InterruptGuard guard;
   Result<io::OutputDirectory> folder = io::OutputDirectory::create(output);
   if (!folder) return folder.error();
-  MapRun run{*log, run_methods(*log, *sensing, *methods, arguments.threads), {}};
-  run.methods = std::move(*methods);
+  LogRun result = run_methods(*log, *sensing, *methods, *features, arguments.threads);
+  MapRun run{*log, std::move(result), std::move(*methods), std::move(*features)};
   print_pings(*log, run.result.report);
   if (const Result<void> usable = check_usable(*log, run.result); !usable) return usable.error();
   const Result<std::vector<io::MethodReport>> reports = write_maps(folder->path(), run);
@@ -172,6 +175,10 @@ Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<MapArguments>();
   declare_log(app, arguments->input);
   declare_settings(app, arguments->settings);
+  app.add_option("--features", arguments->settings.features,
+                 "features to extract: tangents, regions, lines, or all; into DIR/features and the pictures")
+      ->delimiter(',')
+      ->type_name("A,B");
   app.add_option("--threads", arguments->threads, "how many threads work; the maps do not depend on it")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N")
@@ -192,6 +199,7 @@ Verb map_verb() {
           "maps of a log",
           {{"echoarc map room.jsonl", "maps with pictures in ./room-map; nothing but the log is needed"},
            {"echoarc map room.jsonl --method all -o maps", "every method, into a folder of your choice"},
+           {"echoarc map room.jsonl --method carve --features all", "walls and edges as GeoJSON, too"},
            {"echoarc map run1 --describe corridor.toml", "a folder of delimited texts"},
            {"echoarc map ranges.csv --odometry poses.csv --robot robot.toml", "two plain tables"},
            {"echoarc map room.jsonl --method evidence --set evidence.cell_m=0.02",

@@ -26,6 +26,7 @@ Result<void> write_map_picture(const std::filesystem::path& path, const MapExpor
   PictureContent content;
   content.title = picture.title;
   content.path = picture.path;
+  content.features = picture.features;
   if (clears_space(map.states)) {
     content.states = &map.states;
     content.probability = picture.probability;

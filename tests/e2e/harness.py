@@ -5,6 +5,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -13,6 +14,12 @@ COMMAND = pathlib.Path(os.environ["ECHOARC_COMMAND"]).resolve()
 SOURCE = pathlib.Path(os.environ["ECHOARC_SOURCE_DIR"]).resolve()
 SHARED_DATA = SOURCE.parent / "shared" / "data"
 TIMEOUT_S = 300  # generous: sanitizers and coverage run the same tests
+
+
+def documented_methods():
+    """What the page of the methods lists: name -> the kind of its map."""
+    page = (SOURCE / "docs" / "methods" / "README.md").read_text()
+    return dict(re.findall(r"^\| \[`(\w+)`\]\([^)]*\) \| [^|]* \| ([^|]*) \|", page, re.MULTILINE))
 
 
 class CommandTest(unittest.TestCase):

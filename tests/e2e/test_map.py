@@ -7,9 +7,9 @@ import json
 import unittest
 
 import fixtures
-from harness import CommandTest, tree
+from harness import CommandTest, documented_methods, tree
 
-METHODS = ["centerline", "vt", "dm", "bu", "evidence"]
+METHODS = documented_methods()
 
 
 class MapTest(CommandTest):
@@ -32,7 +32,7 @@ class MapTest(CommandTest):
         expected = {"run.json", "path.csv"}
         for method in METHODS:
             expected |= {f"{method}/{name}" for name in ("map.yaml", "map.pgm", "map.png", "points.csv")}
-        for method in METHODS[1:]:
+        for method in (name for name, map_kind in METHODS.items() if not map_kind.startswith("points")):
             expected |= {f"{method}/grid.npy", f"{method}/grid.json"}
         self.assertEqual(set(tree(self.dir / "out")), expected)
         self.assert_nothing_left("out", "room.jsonl")

@@ -9,6 +9,7 @@
 
 #include "echoarc/core/result.hpp"
 #include "echoarc/core/vec2.hpp"
+#include "echoarc/features/feature.hpp"
 #include "echoarc/mapping/method.hpp"
 
 namespace echoarc::io {
@@ -17,6 +18,7 @@ namespace echoarc::io {
 struct MethodPicture {
   std::string title;
   std::span<const Vec2> path = {};                ///< positions of the robot, world
+  std::span<const Feature> features = {};         ///< drawn over the map
   const DenseGrid<float>* probability = nullptr;  ///< see `PictureContent::probability`
 };
 

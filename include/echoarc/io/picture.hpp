@@ -9,6 +9,7 @@
 
 #include "echoarc/core/result.hpp"
 #include "echoarc/core/vec2.hpp"
+#include "echoarc/features/feature.hpp"
 #include "echoarc/maps/dense_grid.hpp"
 #include "echoarc/maps/point_map.hpp"
 
@@ -21,6 +22,7 @@ struct PictureContent {
   const DenseGrid<float>* probability = nullptr;  ///< shades the cells that `states` knows: 0 white to 1 near-black
   std::span<const MapPoint> points = {};          ///< world; coloured by label
   std::span<const Vec2> path = {};                ///< world; positions of the robot in order of time
+  std::span<const Feature> features = {};         ///< world; segments as strokes, points as rings, coloured by kind
 };
 
 /// Draws the known part of the map with a scale bar and a legend, and writes a PNG (8-bit RGB).

@@ -18,7 +18,7 @@ constexpr double item_gap = 26.0;
 constexpr double line_height = 28.0;
 
 double width_of_sign(LegendSign sign) {
-  return sign == LegendSign::path ? path_sign_width : sign_width;
+  return sign == LegendSign::path || sign == LegendSign::feature ? path_sign_width : sign_width;
 }
 
 double width_of(const LegendItem& item) {
@@ -32,9 +32,10 @@ bool shows_state(const PictureContent& content, CellState state) {
 
 void add_cells(std::vector<LegendItem>& items, const PictureContent& content) {
   if (content.states == nullptr) return;
-  if (shows_state(content, CellState::free)) items.push_back({LegendSign::cell, palette::free, {}, "free"});
-  if (shows_state(content, CellState::occupied)) items.push_back({LegendSign::cell, palette::occupied, {}, "occupied"});
-  items.push_back({LegendSign::cell, palette::unknown, {}, "unknown"});
+  if (shows_state(content, CellState::free)) items.push_back({LegendSign::cell, palette::free, {}, {}, "free"});
+  if (shows_state(content, CellState::occupied))
+    items.push_back({LegendSign::cell, palette::occupied, {}, {}, "occupied"});
+  items.push_back({LegendSign::cell, palette::unknown, {}, {}, "unknown"});
 }
 
 void add_points(std::vector<LegendItem>& items, const PictureContent& content) {
@@ -43,7 +44,17 @@ void add_points(std::vector<LegendItem>& items, const PictureContent& content) {
   for (std::size_t k = 0; k < texts.size(); ++k) {
     const auto label = static_cast<PointLabel>(k);
     if (std::ranges::find(content.points, label, &MapPoint::label) != content.points.end())
-      items.push_back({LegendSign::point, {}, label, std::string(texts[k])});
+      items.push_back({LegendSign::point, {}, label, {}, std::string(texts[k])});
+  }
+}
+
+void add_features(std::vector<LegendItem>& items, const PictureContent& content) {
+  constexpr std::array<std::string_view, feature_kind_count> texts = {"tangents", "cluster lines", "walls",
+                                                                      "corners",  "edges",         "regions"};
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const auto kind = static_cast<FeatureKind>(k);
+    if (std::ranges::find(content.features, kind, &Feature::kind) != content.features.end())
+      items.push_back({.sign = LegendSign::feature, .kind = kind, .text = std::string(texts[k])});
   }
 }
 
@@ -53,10 +64,11 @@ std::vector<LegendItem> legend_of(const PictureContent& content) {
   std::vector<LegendItem> items;
   add_cells(items, content);
   add_points(items, content);
+  add_features(items, content);
   if (!content.path.empty()) {
-    items.push_back({LegendSign::path, {}, {}, "path"});
-    items.push_back({LegendSign::start, {}, {}, "start"});
-    items.push_back({LegendSign::end, {}, {}, "end"});
+    items.push_back({LegendSign::path, {}, {}, {}, "path"});
+    items.push_back({LegendSign::start, {}, {}, {}, "start"});
+    items.push_back({LegendSign::end, {}, {}, {}, "end"});
   }
   return items;
 }
@@ -88,6 +100,13 @@ void draw_legend_item(Canvas& canvas, const LegendItem& item, Vec2 baseline_star
       const Vec2 half = {path_sign_width / 2.0, 0.0};
       const Vec2 line[] = {middle - half, middle + half};
       canvas.stroke(line, path_width, palette::path, path_opacity);
+      break;
+    }
+    case LegendSign::feature: {
+      const bool line =
+          item.kind == FeatureKind::tangent || item.kind == FeatureKind::line || item.kind == FeatureKind::wall;
+      const Vec2 half = {line ? path_sign_width / 2.0 : 0.0, 0.0};
+      draw_feature_mark(canvas, middle - half, middle + half, item.kind);
       break;
     }
     case LegendSign::start: draw_start_mark(canvas, middle); break;

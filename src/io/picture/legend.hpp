@@ -15,13 +15,14 @@ namespace echoarc::io {
 
 inline constexpr TextStyle legend_style = {.cap_height = 11.0, .color = palette::quiet_ink};
 
-enum class LegendSign { cell, point, path, start, end };
+enum class LegendSign { cell, point, feature, path, start, end };
 
 /// One explained sign.
 struct LegendItem {
   LegendSign sign = LegendSign::cell;
   Color color;                                ///< of a cell
   PointLabel label = PointLabel::centerline;  ///< of a point
+  FeatureKind kind = FeatureKind::line;       ///< of a feature
   std::string text;
 };
 

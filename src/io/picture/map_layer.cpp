@@ -80,6 +80,12 @@ void draw_points(Canvas& canvas, std::span<const MapPoint> points, const View& v
     if (is_finite(point.position)) draw_point_mark(canvas, view.pixel(point.position), point.label, radius);
 }
 
+void draw_features(Canvas& canvas, std::span<const Feature> features, const View& view) {
+  for (const Feature& feature : features)
+    if (is_finite(feature.begin) && is_finite(feature.end))
+      draw_feature_mark(canvas, view.pixel(feature.begin), view.pixel(feature.end), feature.kind);
+}
+
 }  // namespace
 
 Canvas draw_map(const PictureContent& content, const View& view) {
@@ -88,6 +94,7 @@ Canvas draw_map(const PictureContent& content, const View& view) {
   draw_grid_marks(canvas, view);
   draw_path(canvas, content.path, view);
   draw_points(canvas, content.points, view);
+  draw_features(canvas, content.features, view);
   return canvas;
 }
 
@@ -98,6 +105,17 @@ void draw_point_mark(Canvas& canvas, Vec2 pixel, PointLabel label, double radius
   const Vec2 up[] = {pixel + Vec2{-radius, radius}, pixel + Vec2{radius, -radius}};
   canvas.stroke(down, 1.6, color);
   canvas.stroke(up, 1.6, color);
+}
+
+void draw_feature_mark(Canvas& canvas, Vec2 begin, Vec2 end, FeatureKind kind) {
+  const Color color = palette::of(kind);
+  if (begin != end) {
+    const Vec2 line[] = {begin, end};
+    canvas.stroke(line, 3.4, color, 0.85);
+    return;
+  }
+  canvas.fill_disc(begin, 6.5, color);
+  canvas.fill_disc(begin, kind == FeatureKind::edge ? 0.0 : 3.5, palette::free);
 }
 
 void draw_start_mark(Canvas& canvas, Vec2 pixel) {

@@ -9,11 +9,13 @@
 
 namespace echoarc::io {
 
-/// The map itself: cells, marks every scale-bar length, path, points.
+/// The map itself: cells, marks every scale-bar length, path, points, features.
 [[nodiscard]] Canvas draw_map(const PictureContent& content, const View& view);
 
 /// The mark of a point; the legend shows the same.
 void draw_point_mark(Canvas& canvas, Vec2 pixel, PointLabel label, double radius);
+/// The mark of a feature: a stroke, a ring (corner, region) or a disc (edge).
+void draw_feature_mark(Canvas& canvas, Vec2 begin, Vec2 end, FeatureKind kind);
 /// Where the robot started (a ring) and where it is at the end (a disc).
 void draw_start_mark(Canvas& canvas, Vec2 pixel);
 void draw_end_mark(Canvas& canvas, Vec2 pixel);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+#include "echoarc/features/feature.hpp"
 #include "echoarc/maps/point_map.hpp"
 #include "io/picture/canvas.hpp"
 
@@ -25,6 +26,13 @@ inline constexpr Color path = rgb(0x1763C6);
   constexpr Color colors[point_label_count] = {rgb(0xBC7600), rgb(0x5B1F92), rgb(0x00786B),
                                                rgb(0x5B1F92), rgb(0xC2185B), rgb(0x2E86C1)};
   return colors[static_cast<std::size_t>(label)];
+}
+
+/// Drawn over cells and points, so told apart from both.
+[[nodiscard]] constexpr Color of(FeatureKind kind) {
+  constexpr Color colors[feature_kind_count] = {rgb(0xD55E00), rgb(0x7B2CBF), rgb(0x2E7D32),
+                                                rgb(0x2E7D32), rgb(0xC2185B), rgb(0x6C7885)};
+  return colors[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace echoarc::io::palette
