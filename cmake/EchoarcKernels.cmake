@@ -18,7 +18,8 @@ function(echoarc_kernels target)
     target_link_libraries(${kernels} PRIVATE echoarc_build_flags)
     # -O3 in every build type: these loops are written for the vectoriser. Nothing reads errno or the floating-point
     # exception flags after them, so it may use the square root instruction and compute both sides of a choice.
-    target_compile_options(${kernels} PRIVATE -O3 -fno-math-errno -fno-trapping-math $<$<STREQUAL:${isa},avx2>:-mavx2>)
+    # Vectors wider than the set's registers are never passed between files: no word about how they would be.
+    target_compile_options(${kernels} PRIVATE -O3 -fno-math-errno -fno-trapping-math -Wno-psabi $<$<STREQUAL:${isa},avx2>:-mavx2>)
     target_compile_definitions(${kernels} PRIVATE ECHOARC_ISA=${isa})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)
   endforeach()

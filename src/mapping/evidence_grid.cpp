@@ -87,9 +87,10 @@ Trace EvidenceGrid::trace(const Reading& reading) const {
                             {"log_odds_added", change}}});
   };
   const PlannedRows& rows = planner.plan().rows;
-  for (std::size_t k = 0; k < rows.count; ++k)
-    for (std::int32_t i = rows.begin[k]; i < rows.end[k]; ++i)
-      if (i < rows.near_begin[k] || i >= rows.near_end[k]) describe({i, rows.j[k]});
+  for (const UpdateGroup& group : planner.plan().groups)
+    for (std::size_t k = group.rows.begin; k < group.rows.end; ++k)
+      for (Cell cell{rows.begin[k], group.row(k)}; cell.i < rows.end[k]; ++cell.i)
+        if (cell.i < rows.near_begin[k] || cell.i >= rows.near_end[k]) describe(cell);
   for (const SpotUpdate& spot : planner.plan().spots) describe(spot.cell);
   std::ranges::sort(trace.cells, [](const CellChange& a, const CellChange& b) { return a.cell < b.cell; });
   return trace;

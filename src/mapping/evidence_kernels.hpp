@@ -12,13 +12,13 @@
 
 namespace echoarc::kernels {
 
-/// One run of cells per row, as parallel arrays: begin[k] <= i < end[k] of row j[k]; empty where end <= begin. All rows
-/// of one call lie in one row of tiles.
+/// One run of cells in each of consecutive rows: begin[k] <= i < end[k] of row j_first + k; empty where end <= begin.
+/// The rows of one call of a kernel that adds lie in one row of tiles.
 struct Runs {
-  const std::int32_t* j;
+  std::int32_t j_first;
   const std::int32_t* begin;
   const std::int32_t* end;
-  std::size_t count;
+  std::int32_t count;
 };
 
 /// Two circles about the apex of a sector, in cells with cell centres at whole numbers: the far one ends what is free,
@@ -34,12 +34,14 @@ struct SplitShape {
   double apex_from_above;  ///< i_above - apex_i
 };
 
-/// Columns at which the rows of a sector change from band to free to too near to free to band.
+/// The columns of a sector's rows, and those at which they change from band to free to too near to free to band.
 struct RowEdges {
+  std::int32_t* begin;
   std::int32_t* free_begin;
   std::int32_t* near_begin;
   std::int32_t* near_end;
   std::int32_t* free_end;
+  std::int32_t* end;
 };
 
 /// The tiles of one row of tiles: `tiles[k]` holds the columns from (first_column + k) * 64 on. Tiles no run meets may
@@ -47,6 +49,7 @@ struct RowEdges {
 struct TileRow {
   std::int16_t* const* tiles;
   std::int32_t first_column;
+  std::int32_t count;
 };
 
 /// Where a beam stands in the grid. Cell (i, j) has its centre at offset_m + (i - apex_i, j - apex_j) * cell_m from the
@@ -59,6 +62,7 @@ struct BeamFrame {
   float cell_m;
   float axis_x;  ///< unit vector of the acoustic axis
   float axis_y;
+  float range_m;  ///< of the echo
 };
 
 inline constexpr int max_terms = 12;
@@ -72,21 +76,38 @@ struct Polynomial {
   float bend;
 };
 
+inline constexpr int max_fixed_terms = 8;
+inline constexpr float fixed_begin = -32767.0F;
+inline constexpr float fixed_end = 32767.0F * 31 / 32;  ///< short of the last, so that rounding cannot leave 16 bits
+
+/// A polynomial in 16-bit fixed point. Its argument z, and every product, has 15 binary places:
+///
+///     increment = unit (c[0] + z (c[1] + z (...))),   2^15 z = fixed_begin + across_scale^2 y,
+///
+/// with y = s / (1 + across_scale^2 bend s), s = sin^2 theta. In the sector fixed_begin <= 2^15 z <= fixed_end.
+struct FixedPolynomial {
+  std::int16_t c[max_fixed_terms];
+  std::int16_t unit;
+  int terms;
+  float across_scale;
+  float bend;
+};
+
 /// The occupied band as a chain of polynomials: with h = angular(sin^2 theta) * radial(error^2) the increment is
 /// h * logit(h^2).
 struct BandModel {
   Polynomial angular;
   Polynomial radial;
   Polynomial logit;
-  float range_m;
 };
 
 /// All log-odds are in units of the grid (see log_odds_per_unit) and saturate as 16-bit integers do.
 struct EvidenceKernels {
   const char* instruction_set;
-  /// sector.begin <= free_begin <= near_begin <= near_end <= free_end <= sector.end in every row.
+  /// begin <= free_begin <= near_begin <= near_end <= free_end <= end in every row; all the same in empty ones.
   void (*split_rows)(const SplitShape& shape, const Runs& sector, const RowEdges& edges);
   void (*add_constant)(const TileRow& row, const Runs& runs, std::int16_t increment);
+  void (*add_fixed)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const FixedPolynomial& increment);
   void (*add_angular)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment);
   void (*add_band)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band);
 };

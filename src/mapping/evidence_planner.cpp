@@ -13,28 +13,30 @@ namespace {
 /// Beams are cached by width and certainty; a log whose every reading differs does not fill the memory with them.
 constexpr std::size_t max_cached_beams = 256;
 
-kernels::BeamFrame frame_of(const Arc& rim, const GridGeometry& geometry) {
+kernels::BeamFrame frame_of(const BeamReach& reach, const GridGeometry& geometry) {
+  const Arc& rim = reach.rim;
   const Cell apex = geometry.cell_of(rim.centre());
   const Vec2 offset = geometry.centre(apex) - rim.centre();
   const Vec2 axis = unit(rim.axis());
-  return {apex.i, apex.j, float(offset.x), float(offset.y), float(geometry.cell_m), float(axis.x), float(axis.y)};
+  return {apex.i,
+          apex.j,
+          float(offset.x),
+          float(offset.y),
+          float(geometry.cell_m),
+          float(axis.x),
+          float(axis.y),
+          float(reach.echo_m.value_or(0.0))};
 }
 
-/// The first rows that share a row of tiles.
-std::span<const RowSpan> rows_of_one_tile(std::span<const RowSpan> rows) {
-  std::size_t count = 1;
-  while (count < rows.size() && rows[count].j >> tile_shift == rows[0].j >> tile_shift) ++count;
-  return rows.first(count);
-}
-
-/// The tile columns that the rows meet.
-Columns tile_columns(std::span<const RowSpan> rows) {
-  Columns cells{rows[0].i_begin, rows[0].i_end};
-  for (const RowSpan& row : rows) {
-    cells.begin = std::min(cells.begin, row.i_begin);
-    cells.end = std::max(cells.end, row.i_end);
+/// The columns that the rows of a range meet; empty when no row has any.
+Columns columns_of(const PlannedRows& rows, UpdateGroup::Range range) {
+  Columns columns{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::min()};
+  for (std::size_t k = range.begin; k < range.end; ++k) {
+    if (rows.begin[k] >= rows.end[k]) continue;
+    columns.begin = std::min(columns.begin, rows.begin[k]);
+    columns.end = std::max(columns.end, rows.end[k]);
   }
-  return {cells.begin >> tile_shift, ((cells.end - 1) >> tile_shift) + 1};
+  return columns;
 }
 
 kernels::SplitShape split_shape(const BeamReach& reach, const GridGeometry& geometry) {
@@ -56,9 +58,18 @@ kernels::SplitShape split_shape(const BeamReach& reach, const GridGeometry& geom
   return shape;
 }
 
-kernels::Runs runs_of(const PlannedRows& rows, UpdateGroup::Range range, const std::vector<std::int32_t>& begin,
-                      const std::vector<std::int32_t>& end) {
-  return {rows.j.data() + range.begin, begin.data() + range.begin, end.data() + range.begin, range.size()};
+using Column = std::vector<std::int32_t>;
+
+kernels::Runs runs_of(const UpdateGroup& group, const Column& begin, const Column& end) {
+  return {group.j_first, begin.data() + group.rows.begin, end.data() + group.rows.begin,
+          std::int32_t(group.rows.size())};
+}
+
+/// Those of the runs that lie in rows from `first` to `last`.
+kernels::Runs within_rows(kernels::Runs runs, std::int32_t first, std::int32_t last) {
+  const std::int32_t skipped = std::clamp(first - runs.j_first, 0, runs.count);
+  const std::int32_t count = std::clamp(last + 1 - runs.j_first, skipped, runs.count) - skipped;
+  return {runs.j_first + skipped, runs.begin + skipped, runs.end + skipped, count};
 }
 
 }  // namespace
@@ -125,55 +136,47 @@ const FittedBeam& EvidenceGrid::Planner::beam_of(const Reading& reading) {
   return beams_.back().fitted;
 }
 
-bool EvidenceGrid::Planner::add_groups(std::span<const RowSpan> spans, Map& grid) {
-  const std::size_t groups_before = plan_.groups.size();
-  std::size_t row = plan_.rows.count;
-  while (!spans.empty()) {
-    const auto rows = rows_of_one_tile(spans);
-    spans = spans.subspan(rows.size());
-    const UpdateGroup group{.beam = plan_.beams.size(),
-                            .tile_j = rows.front().j >> tile_shift,
-                            .tiles = tile_columns(rows),
-                            .rows = {row, row + rows.size()},
-                            .spots = {}};
-    row += rows.size();
+kernels::Runs EvidenceGrid::Planner::add_rows(const BeamReach& reach) {
+  const SectorColumns columns = raster_.columns(reach.rim);
+  const kernels::Runs sector{columns.j_first, columns.begin.data(), columns.end.data(),
+                             std::int32_t(columns.begin.size())};
+  PlannedRows& rows = plan_.rows;
+  const std::size_t first = rows.count;
+  rows.make_room(columns.begin.size());
+  rows.count += columns.begin.size();
+  kernels::evidence_kernels().split_rows(
+      split_shape(reach, raster_.geometry()), sector,
+      {rows.begin.data() + first, rows.free_begin.data() + first, rows.near_begin.data() + first,
+       rows.near_end.data() + first, rows.free_end.data() + first, rows.end.data() + first});
+  return sector;
+}
+
+bool EvidenceGrid::Planner::add_groups(std::int32_t j_first, UpdateGroup::Range rows, Map& grid) {
+  for (std::int32_t j = j_first; rows.begin < rows.end;) {
+    const auto in_tile = std::min(rows.size(), std::size_t(tile_size - (j & (tile_size - 1))));
+    UpdateGroup group{.beam = plan_.beams.size(), .j_first = j, .rows = {rows.begin, rows.begin + in_tile}};
+    rows.begin += in_tile;
+    j += std::int32_t(in_tile);
+    const Columns cells = columns_of(plan_.rows, group.rows);
+    if (cells.begin >= cells.end) continue;
+    group.tiles = {cells.begin >> tile_shift, ((cells.end - 1) >> tile_shift) + 1};
     for (std::int32_t ti = group.tiles.begin; ti < group.tiles.end; ++ti)
-      if (!grid.ensure({ti, group.tile_j})) {
-        plan_.groups.resize(groups_before);
-        return false;
-      }
+      if (!grid.ensure({ti, group.tile_j()})) return false;
     plan_.groups.push_back(group);
   }
   return true;
 }
 
-void EvidenceGrid::Planner::add_rows(std::span<const RowSpan> spans, const BeamReach& reach) {
-  PlannedRows& rows = plan_.rows;
-  const std::size_t first = rows.count;
-  rows.make_room(spans.size());
-  rows.count += spans.size();
-  for (std::size_t k = 0; k < spans.size(); ++k) {
-    rows.j[first + k] = spans[k].j;
-    rows.begin[first + k] = spans[k].i_begin;
-    rows.end[first + k] = spans[k].i_end;
-  }
-  kernels::evidence_kernels().split_rows(split_shape(reach, raster_.geometry()),
-                                         runs_of(rows, {first, rows.count}, rows.begin, rows.end),
-                                         {rows.free_begin.data() + first, rows.near_begin.data() + first,
-                                          rows.near_end.data() + first, rows.free_end.data() + first});
-}
-
-void EvidenceGrid::Planner::add_spots(std::size_t first_group, std::span<const RowSpan> spans, const BeamReach& reach,
-                                      const FittedBeam& beam) {
+void EvidenceGrid::Planner::rows_to_spots(std::size_t first_group, const BeamReach& reach, const FittedBeam& beam) {
+  const PlannedRows& rows = plan_.rows;
   for (std::size_t g = first_group; g < plan_.groups.size(); ++g) {
     UpdateGroup& group = plan_.groups[g];
     group.spots.begin = plan_.spots.size();
-    for (const RowSpan& span : spans.first(group.rows.size()))
-      for (std::int32_t i = span.i_begin; i < span.i_end; ++i)
-        if (const int increment = exact_increment(beam, reach, raster_.geometry().centre({i, span.j})); increment != 0)
-          plan_.spots.push_back({{i, span.j}, static_cast<std::int16_t>(increment)});
+    for (std::size_t k = group.rows.begin; k < group.rows.end; ++k)
+      for (Cell cell{rows.begin[k], group.row(k)}; cell.i < rows.end[k]; ++cell.i)
+        if (const int increment = exact_increment(beam, reach, raster_.geometry().centre(cell)); increment != 0)
+          plan_.spots.push_back({cell, static_cast<std::int16_t>(increment)});
     group.spots.end = plan_.spots.size();
-    spans = spans.subspan(group.rows.size());
     group.rows = {};
   }
 }
@@ -184,39 +187,55 @@ bool EvidenceGrid::Planner::add(const Reading& reading, const BeamReach& reach, 
   const double farthest_m = std::max(std::abs(from_origin.x), std::abs(from_origin.y)) + reach.outer_m;
   if (!(farthest_m / geometry.cell_m < GridGeometry::max_index)) return false;
 
-  const auto spans = raster_.spans(reach.rim);
   const std::size_t first_group = plan_.groups.size();
-  if (!add_groups(spans, grid)) return false;
+  const std::size_t first_row = plan_.rows.count;
+  const kernels::Runs sector = add_rows(reach);
+  if (!add_groups(sector.j_first, {first_row, plan_.rows.count}, grid)) {
+    plan_.groups.resize(first_group);
+    plan_.rows.count = first_row;
+    return false;
+  }
   const FittedBeam& fitted = beam_of(reading);
-  plan_.beams.push_back({frame_of(reach.rim, geometry), &fitted, float(reach.echo_m.value_or(0.0))});
-  if (reach.rim.is_circular() && fitted.free && fitted.band)
-    add_rows(spans, reach);
-  else
-    add_spots(first_group, spans, reach, fitted);
+  const auto near_rows = std::int32_t(reach.near_m > 0.0 ? std::ceil(reach.near_m / geometry.cell_m) : 0.0);
+  plan_.beams.push_back({frame_of(reach, geometry), &fitted, near_rows});
+  if (!reach.rim.is_circular() || !fitted.complete()) {
+    rows_to_spots(first_group, reach, fitted);
+    plan_.rows.count = first_row;
+  }
   return true;
 }
 
 namespace {
 
-void apply_rows(const UpdatePlan& plan, const UpdateGroup& group, const kernels::TileRow& tiles) {
+/// Adds the log-odds of free cells in the form they were fitted in.
+struct FreeAdder {
+  const kernels::TileRow& tiles;
+  const kernels::Runs& runs;
+  const kernels::BeamFrame& frame;
   const kernels::EvidenceKernels& kernels = kernels::evidence_kernels();
+
+  void operator()(std::monostate) const {}
+  void operator()(std::int16_t increment) const { kernels.add_constant(tiles, runs, increment); }
+  void operator()(const kernels::FixedPolynomial& p) const { kernels.add_fixed(tiles, runs, frame, p); }
+  void operator()(const kernels::Polynomial& p) const { kernels.add_angular(tiles, runs, frame, p); }
+};
+
+void apply_rows(const UpdatePlan& plan, const UpdateGroup& group, const kernels::TileRow& tiles) {
   const PlannedRows& rows = plan.rows;
   const PlannedBeam& beam = plan.beams[group.beam];
-  const auto left_band = runs_of(rows, group.rows, rows.begin, rows.free_begin);
-  const auto left_free = runs_of(rows, group.rows, rows.free_begin, rows.near_begin);
-  const auto right_free = runs_of(rows, group.rows, rows.near_end, rows.free_end);
-  const auto right_band = runs_of(rows, group.rows, rows.free_end, rows.end);
+  const auto left_band = runs_of(group, rows.begin, rows.free_begin);
+  const auto left_free = runs_of(group, rows.free_begin, rows.near_begin);
+  const auto right_free = runs_of(group, rows.near_end, rows.free_end);
+  const auto right_band = runs_of(group, rows.free_end, rows.end);
 
-  const kernels::Polynomial& free = *beam.fitted->free;
-  for (const kernels::Runs& runs : {left_free, right_free}) {
-    if (free.terms == 1)
-      kernels.add_constant(tiles, runs, static_cast<std::int16_t>(std::lrint(free.c[0])));
-    else
-      kernels.add_angular(tiles, runs, beam.frame, free);
-  }
-  kernels::BandModel band = *beam.fitted->band;
-  band.range_m = beam.range_m;
-  for (const kernels::Runs& runs : {left_band, right_band}) kernels.add_band(tiles, runs, beam.frame, band);
+  // Rows without cells that are too near have all of their free cells on the left.
+  const std::int32_t apex_j = beam.frame.apex_j;
+  const auto beside_near = within_rows(right_free, apex_j - beam.near_rows, apex_j + beam.near_rows);
+  for (const kernels::Runs& runs : {left_free, beside_near})
+    std::visit(FreeAdder{tiles, runs, beam.frame}, beam.fitted->free);
+  if (beam.frame.range_m > 0.0F)
+    for (const kernels::Runs& runs : {left_band, right_band})
+      kernels::evidence_kernels().add_band(tiles, runs, beam.frame, *beam.fitted->band);
 }
 
 }  // namespace
@@ -226,11 +245,11 @@ void apply_stripe(const UpdatePlan& plan, EvidenceGrid::Map& grid, std::size_t s
   constexpr int lowest = std::numeric_limits<std::int16_t>::min();
   std::vector<std::int16_t*> tiles;
   for (const UpdateGroup& group : plan.groups) {
-    if (static_cast<std::uint32_t>(group.tile_j) % stripes != stripe) continue;
+    if (static_cast<std::uint32_t>(group.tile_j()) % stripes != stripe) continue;
     tiles.clear();
     for (std::int32_t ti = group.tiles.begin; ti < group.tiles.end; ++ti)
-      tiles.push_back(grid.find({ti, group.tile_j})->data());
-    if (group.rows.size() > 0) apply_rows(plan, group, {tiles.data(), group.tiles.begin});
+      tiles.push_back(grid.find({ti, group.tile_j()})->data());
+    if (group.rows.size() > 0) apply_rows(plan, group, {tiles.data(), group.tiles.begin, std::int32_t(tiles.size())});
     for (std::size_t k = group.spots.begin; k < group.spots.end; ++k) {
       std::int16_t& cell = grid.at(plan.spots[k].cell);
       cell = static_cast<std::int16_t>(std::clamp(cell + plan.spots[k].increment, lowest, highest));

@@ -37,28 +37,31 @@ struct UpdateGroup {
     [[nodiscard]] std::size_t size() const { return end - begin; }
   };
   std::size_t beam = 0;
-  std::int32_t tile_j = 0;
+  std::int32_t j_first = 0;
   Columns tiles;
   Range rows;
   Range spots;
+  /// The row of cells that is planned row k.
+  [[nodiscard]] std::int32_t row(std::size_t k) const { return j_first + std::int32_t(k - rows.begin); }
+  [[nodiscard]] std::int32_t tile_j() const { return j_first >> tile_shift; }
 };
 
 /// Beam of a planned reading: where it stands and what it adds.
 struct PlannedBeam {
   kernels::BeamFrame frame;
   const FittedBeam* fitted = nullptr;
-  float range_m = 0.0F;
+  std::int32_t near_rows = 0;  ///< how many rows from the apex's a cell may be too near
 };
 
-/// The rows of planned sectors, as parallel arrays. From left to right a row is band, free, too near, free, band; each
+/// Rows of planned sectors, as parallel arrays. From left to right a row is band, free, too near, free, band; each
 /// part may be empty. The arrays only grow: what lies beyond `count` is left from before.
 struct PlannedRows {
-  std::vector<std::int32_t> j, begin, free_begin, near_begin, near_end, free_end, end;
+  std::vector<std::int32_t> begin, free_begin, near_begin, near_end, free_end, end;
   std::size_t count = 0;
 
   void make_room(std::size_t more) {
-    if (count + more <= j.size()) return;
-    for (auto* column : {&j, &begin, &free_begin, &near_begin, &near_end, &free_end, &end})
+    if (count + more <= begin.size()) return;
+    for (auto* column : {&begin, &free_begin, &near_begin, &near_end, &free_end, &end})
       column->resize(2 * (count + more));
   }
 };
@@ -105,12 +108,12 @@ class EvidenceGrid::Planner {
     FittedBeam fitted;
   };
 
-  /// Groups the spans by rows of tiles and makes those tiles exist; false, and the plan as before, when they cannot.
-  [[nodiscard]] bool add_groups(std::span<const RowSpan> spans, Map& grid);
-  void add_rows(std::span<const RowSpan> spans, const BeamReach& reach);
-  /// The cells of the latest groups that no kernel covers.
-  void add_spots(std::size_t first_group, std::span<const RowSpan> spans, const BeamReach& reach,
-                 const FittedBeam& beam);
+  /// Plans the rows of the sector under the reading's rim; returns which they are.
+  [[nodiscard]] kernels::Runs add_rows(const BeamReach& reach);
+  /// Groups the latest rows by rows of tiles and makes those tiles exist; false when they cannot.
+  [[nodiscard]] bool add_groups(std::int32_t j_first, UpdateGroup::Range rows, Map& grid);
+  /// Makes single cells of the rows of the latest groups, which no kernel covers.
+  void rows_to_spots(std::size_t first_group, const BeamReach& reach, const FittedBeam& beam);
 
   EvidenceGridOptions options_;
   SectorRaster raster_;
@@ -121,7 +124,7 @@ class EvidenceGrid::Planner {
 /// The change of one cell as the model has it, in units; 0 where the reading says nothing.
 [[nodiscard]] int exact_increment(const FittedBeam& beam, const BeamReach& reach, Vec2 cell_centre);
 
-/// Makes the changes of the plan in every row of tiles with `tile_j mod stripes == stripe`.
+/// Makes the changes of the plan in every row of tiles with `tile_j() mod stripes == stripe`.
 void apply_stripe(const UpdatePlan& plan, EvidenceGrid::Map& grid, std::size_t stripe, std::size_t stripes);
 
 }  // namespace echoarc

@@ -3,9 +3,10 @@
 
 #include "mapping/fitted_beam.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "echoarc/mapping/evidence_grid.hpp"
@@ -17,16 +18,20 @@ namespace {
 // error of 5e-6 of each factor into less than 0.1 unit at the default certainties.
 constexpr double log_odds_tolerance_units = 0.3;
 constexpr double factor_tolerance = 5e-6;
+constexpr double fixed_tolerance_units = 1.0;  // rounding included
+
+/// The bends that are tried, in reciprocals of the edge's s.
+constexpr double edge_bends[] = {0.0, 0.5, 1.0, 1.5, 2.0};
 
 using Terms = std::vector<double>;
 
-/// Coefficients in powers of x of the polynomial through f at the Chebyshev nodes of [0, high], by Newton's divided
+/// Coefficients in powers of x of the polynomial through f at the Chebyshev nodes of [low, high], by Newton's divided
 /// differences.
-Terms interpolate(const std::function<double(double)>& f, double high, int terms) {
+Terms interpolate(const std::function<double(double)>& f, double low, double high, int terms) {
   Terms nodes(terms);
   Terms differences(terms);
   for (int k = 0; k < terms; ++k) {
-    nodes[k] = 0.5 * high * (1.0 - std::cos((k + 0.5) * std::numbers::pi / terms));
+    nodes[k] = low + 0.5 * (high - low) * (1.0 - std::cos((k + 0.5) * std::numbers::pi / terms));
     differences[k] = f(nodes[k]);
   }
   for (int order = 1; order < terms; ++order)
@@ -52,7 +57,7 @@ std::optional<kernels::Polynomial> fit_polynomial(const std::function<double(dou
                                                   double tolerance) {
   constexpr int checks = 200;
   for (int terms = 1; terms <= kernels::max_terms; ++terms) {
-    const Terms powers = interpolate(function, high, terms);
+    const Terms powers = interpolate(function, 0.0, high, terms);
     kernels::Polynomial polynomial{};
     polynomial.terms = terms;
     for (int k = 0; k < terms; ++k) polynomial.c[k] = static_cast<float>(powers[k]);
@@ -75,7 +80,7 @@ namespace {
 std::optional<kernels::Polynomial> fit_angular(const std::function<double(double)>& of_sine_squared, double edge,
                                                double tolerance) {
   std::optional<kernels::Polynomial> best;
-  for (const double edge_bend : {0.0, 0.5, 1.0, 1.5, 2.0}) {
+  for (const double edge_bend : edge_bends) {
     const double bend = edge_bend / edge;
     auto fit = fit_polynomial([&](double y) { return of_sine_squared(std::min(y / (1.0 - bend * y), edge)); },
                               edge / (1.0 + edge_bend), tolerance);
@@ -84,6 +89,65 @@ std::optional<kernels::Polynomial> fit_angular(const std::function<double(double
     best = fit;
   }
   return best;
+}
+
+/// A polynomial of z with room for its intermediate sums in 16 bits.
+std::optional<kernels::FixedPolynomial> in_fixed_point(const Terms& powers) {
+  double largest = 0.0;
+  for (const double c : powers) largest += std::abs(c);
+  const double unit = std::ceil(1.01 * largest);
+  if (!(unit <= 32767.0)) return std::nullopt;
+  kernels::FixedPolynomial polynomial{};
+  polynomial.terms = static_cast<int>(powers.size());
+  polynomial.unit = static_cast<std::int16_t>(unit);
+  for (std::size_t k = 0; k < powers.size(); ++k)
+    polynomial.c[k] = static_cast<std::int16_t>(std::lrint(powers[k] * 32768.0 / unit));
+  return polynomial;
+}
+
+/// The shortest polynomial in fixed point that follows a function of y on [0, edge] to within a whole unit, all
+/// rounding included.
+std::optional<kernels::FixedPolynomial> fit_fixed(const std::function<double(double)>& of_y, double edge) {
+  constexpr double places = 32768.0;
+  const double begin = kernels::fixed_begin;
+  const double end = kernels::fixed_end;
+  const auto of_z = [&](double z) { return of_y(edge * std::clamp((z * places - begin) / (end - begin), 0.0, 1.0)); };
+  std::vector<std::pair<std::int16_t, double>> checks;
+  for (double z = begin; z <= end; z += 256.0) checks.emplace_back(std::int16_t(z), of_z(z / places));
+  for (int terms = 2; terms <= kernels::max_fixed_terms; ++terms) {
+    const auto polynomial = in_fixed_point(interpolate(of_z, begin / places, end / places, terms));
+    const auto close = [&](const auto& check) {
+      return std::abs(fixed_value(*polynomial, check.first) - check.second) <= fixed_tolerance_units;
+    };
+    if (polynomial && std::ranges::all_of(checks, close)) return polynomial;
+  }
+  return std::nullopt;
+}
+
+/// As `fit_angular`, in fixed point. None for beams so narrow that single precision blurs their edge.
+std::optional<kernels::FixedPolynomial> fit_fixed_angular(const std::function<double(double)>& of_sine_squared,
+                                                          double edge) {
+  if (edge < 1e-6) return std::nullopt;
+  std::optional<kernels::FixedPolynomial> best;
+  for (const double edge_bend : edge_bends) {
+    const double bend = edge_bend / edge;
+    const double y_edge = edge / (1.0 + edge_bend);
+    auto fit = fit_fixed([&](double y) { return of_sine_squared(std::min(y / (1.0 - bend * y), edge)); }, y_edge);
+    if (!fit || (best && best->terms <= fit->terms)) continue;
+    const double stretch = (double(kernels::fixed_end) - double(kernels::fixed_begin)) / y_edge;
+    fit->across_scale = static_cast<float>(std::sqrt(stretch));
+    fit->bend = static_cast<float>(bend / stretch);
+    best = fit;
+  }
+  return best;
+}
+
+FittedFree fit_free(const std::function<double(double)>& of_sine_squared, double edge) {
+  if (const auto flat = fit_polynomial(of_sine_squared, edge, log_odds_tolerance_units); flat && flat->terms == 1)
+    return static_cast<std::int16_t>(std::lrint(flat->c[0]));
+  if (const auto fixed = fit_fixed_angular(of_sine_squared, edge)) return *fixed;
+  if (const auto floating = fit_angular(of_sine_squared, edge, log_odds_tolerance_units)) return *floating;
+  return {};
 }
 
 std::optional<kernels::BandModel> fit_band(const InverseSonarModel& model,
@@ -102,7 +166,7 @@ std::optional<kernels::BandModel> fit_band(const InverseSonarModel& model,
   };
   const auto logit = fit_polynomial(quotient, 1.0, log_odds_tolerance_units);
   if (!angular || !radial || !logit) return std::nullopt;
-  return kernels::BandModel{*angular, *radial, *logit, 0.0F};
+  return kernels::BandModel{*angular, *radial, *logit};
 }
 
 }  // namespace
@@ -114,12 +178,17 @@ FittedBeam fit_beam(const InverseSonarModel& model, double free_weight) {
   const auto angle_of = [&](double sin_squared) {
     return std::min(radians(std::asin(std::sqrt(std::min(sin_squared, 1.0)))), model.half_width);
   };
-  beam.free =
-      fit_angular([&](double s) { return free_weight * log_odds(model.free_probability(angle_of(s))) / log_odds_unit; },
-                  edge, log_odds_tolerance_units);
-
+  beam.free = fit_free(
+      [&](double s) { return free_weight * log_odds(model.free_probability(angle_of(s))) / log_odds_unit; }, edge);
   beam.band = fit_band(model, angle_of);
   return beam;
+}
+
+int fixed_value(const kernels::FixedPolynomial& polynomial, std::int16_t z) {
+  const auto product = [](int a, int b) { return std::int16_t((a * b + (1 << 14)) >> 15); };
+  std::int16_t sum = polynomial.c[polynomial.terms - 1];
+  for (int k = polynomial.terms - 2; k >= 0; --k) sum = std::int16_t(product(sum, z) + polynomial.c[k]);
+  return product(sum, polynomial.unit);
 }
 
 int to_units(double log_odds) {

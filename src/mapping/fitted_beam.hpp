@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <variant>
 
 #include "echoarc/mapping/inverse_sonar_model.hpp"
 #include "mapping/evidence_kernels.hpp"
@@ -16,18 +18,26 @@ namespace echoarc {
 [[nodiscard]] std::optional<kernels::Polynomial> fit_polynomial(const std::function<double(double)>& function,
                                                                 double high, double tolerance);
 
-/// An inverse sonar model in the form the kernels evaluate, in units of the grid. A part that no polynomial follows
-/// closely enough (beams near 180 degrees, certainties near 1) is absent, and its cells are computed one by one from
-/// the model.
+/// The log-odds of free cells across the beam, in units of the grid, in the cheapest form that follows the model: a
+/// constant (uniform profile), 16-bit fixed point (usual beams and certainties), single precision, or none (beams near
+/// 180 degrees, certainties near 1): then cells are computed one by one from the model.
+using FittedFree = std::variant<std::monostate, std::int16_t, kernels::FixedPolynomial, kernels::Polynomial>;
+
+/// An inverse sonar model in the form the kernels evaluate, in units of the grid.
 struct FittedBeam {
   InverseSonarModel model;
   double free_weight = 1.0;
-  std::optional<kernels::Polynomial> free;  ///< of sin^2 theta; a single term for the uniform profile
-  std::optional<kernels::BandModel> band;   ///< `range_m` is set per reading
+  FittedFree free;
+  std::optional<kernels::BandModel> band;  ///< absent like `free`
+
+  [[nodiscard]] bool complete() const { return free.index() != 0 && band.has_value(); }
 };
 
 /// `free_weight` multiplies the log-odds of free cells (silence clears with less weight than an echo).
 [[nodiscard]] FittedBeam fit_beam(const InverseSonarModel& model, double free_weight);
+
+/// What the kernel makes of z, in units.
+[[nodiscard]] int fixed_value(const kernels::FixedPolynomial& polynomial, std::int16_t z);
 
 /// Log-odds in whole units of the grid, ties to even as in the kernels.
 [[nodiscard]] int to_units(double log_odds);

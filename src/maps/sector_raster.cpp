@@ -108,30 +108,34 @@ Sector::Sector(const GridGeometry& grid, const Arc& rim) {
 
 }  // namespace
 
-std::span<const RowSpan> SectorRaster::spans(const Arc& rim) {
+SectorColumns SectorRaster::columns(const Arc& rim) {
   assert(rim.half_width() < degrees(90.0));
   const Sector sector(geometry_, rim);
   const auto rows = std::size_t(sector.j_end - sector.j_first);
-  if (spans_.size() < rows) {
-    spans_.resize(rows);
-    columns_.resize(2 * rows);
+  if (begin_.size() < rows) {
+    begin_.resize(rows);
+    end_.resize(rows);
   }
-  std::int32_t* const i_begin = columns_.data();
-  std::int32_t* const i_end = i_begin + rows;
-  kernels::raster_kernels().sector_rows(sector.shape, sector.j_first, rows, i_begin, i_end);
+  kernels::raster_kernels().sector_rows(sector.shape, sector.j_first, rows, begin_.data(), end_.data());
 
   // The closed wedge begins in the apex; a cell centred there has no bearing and is no cell of the sector.
   const double apex_row = sector.shape.apex_j - sector.j_first;
   if (apex_row >= 0.0 && apex_row < double(rows) && apex_row == std::floor(apex_row)) {
     const auto k = std::size_t(apex_row);
-    if (i_begin[k] == sector.apex_i) ++i_begin[k];
-    if (i_end[k] - 1 == sector.apex_i) --i_end[k];
+    if (begin_[k] == sector.apex_i) ++begin_[k];
+    if (end_[k] - 1 == sector.apex_i) --end_[k];
   }
+  return {sector.j_first, std::span(begin_).first(rows), std::span(end_).first(rows)};
+}
 
+std::span<const RowSpan> SectorRaster::spans(const Arc& rim) {
+  const SectorColumns columns = this->columns(rim);
+  const std::size_t rows = columns.begin.size();
+  if (spans_.size() < rows) spans_.resize(rows);
   std::size_t count = 0;
   for (std::size_t k = 0; k < rows; ++k) {
-    spans_[count] = {sector.j_first + std::int32_t(k), i_begin[k], i_end[k]};
-    count += i_begin[k] < i_end[k] ? 1 : 0;
+    spans_[count] = {columns.j_first + std::int32_t(k), columns.begin[k], columns.end[k]};
+    count += columns.begin[k] < columns.end[k] ? 1 : 0;
   }
   return std::span<const RowSpan>(spans_).first(count);
 }

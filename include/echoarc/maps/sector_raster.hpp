@@ -20,6 +20,13 @@ struct RowSpan {
   friend constexpr bool operator==(RowSpan, RowSpan) = default;
 };
 
+/// Consecutive rows: begin[k] <= i < end[k] of row j_first + k; some may be empty, end[k] <= begin[k].
+struct SectorColumns {
+  std::int32_t j_first = 0;
+  std::span<const std::int32_t> begin;
+  std::span<const std::int32_t> end;
+};
+
 /// Turns sectors into row spans: each row of cells meets a sector in one interval, found from the two edges of the
 /// wedge and the rim, with no test per cell. Keeps scratch memory between calls: use one raster per thread.
 class SectorRaster {
@@ -31,11 +38,13 @@ class SectorRaster {
   /// `rim.centre()` within half a beam of the axis. A cell centre on the apex itself is left out. Rows from below, none
   /// empty; the span is valid until the next call. Requires a beam below 180 degrees.
   [[nodiscard]] std::span<const RowSpan> spans(const Arc& rim);
+  /// The same cells as arrays over all rows between the lowest and the highest, for code that goes on in vectors.
+  [[nodiscard]] SectorColumns columns(const Arc& rim);
 
  private:
   GridGeometry geometry_;
   std::vector<RowSpan> spans_;
-  std::vector<std::int32_t> columns_;  // scratch
+  std::vector<std::int32_t> begin_, end_;
 };
 
 }  // namespace echoarc
