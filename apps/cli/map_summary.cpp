@@ -39,11 +39,18 @@ void print_pings(const Log& log, const SensingReport& sensing) {
   for (const std::string& note : no_echo_sentences(sensing.no_echo)) fmt::print("  {}\n", note);
   fmt::print("  accepted {}: {} echo, {} no echo, {} too close\n", sensing.accepted(), sensing.echoes,
              sensing.no_echoes, sensing.too_close);
+  if (sensing.scans > 0)
+    fmt::print("  {} shortened to what {} saw nearer\n", counted(sensing.laser_limited, "reading"),
+               counted(sensing.scans, "laser scan"));
   fmt::print("  rejected {}\n", sensing.rejected_pings.total());
   print_rejected(sensing.rejected_pings, "ping");
   if (sensing.rejected_odometry.total() > 0) {
     fmt::print("  rejected poses {}\n", sensing.rejected_odometry.total());
     print_rejected(sensing.rejected_odometry, "odometry record");
+  }
+  if (sensing.rejected_scans.total() > 0) {
+    fmt::print("  rejected laser scans {}\n", sensing.rejected_scans.total());
+    print_rejected(sensing.rejected_scans, "laser scan");
   }
 }
 

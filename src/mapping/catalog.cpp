@@ -13,6 +13,7 @@
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
+#include "echoarc/mapping/limited_grid.hpp"
 #include "echoarc/mapping/numakura.hpp"
 #include "echoarc/mapping/triangulation_fusion.hpp"
 #include "echoarc/mapping/voting.hpp"
@@ -58,6 +59,9 @@ constexpr std::array methods{
     entry<Numakura>("Accumulation with outlier detection",
                     "Adds up free and obstacle evidence, and lets readings that look like outliers count little.",
                     "[Numakura] 4, 5"),
+    entry<LimitedGrid>("Evidence grid on laser-limited sonar",
+                       "The evidence grid with readings shortened to what a laser saw nearer; needs laser scans.",
+                       "[Yamauchi97]"),
     entry<Carve>("Arc carving",
                  "Newer readings cut from older arcs what they found free: sharp points with no delay, ghosts removed.",
                  "[Silver04] 3, 5.A"),

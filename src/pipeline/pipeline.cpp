@@ -72,6 +72,10 @@ void Pipeline::push(const WallNote& note) {
   sensing_.push(note);
 }
 
+void Pipeline::push(const Scan& scan) {
+  sensing_.push(scan);
+}
+
 void Pipeline::push(const Ping& ping) {
   sensing_.push(ping);
   if (sensing_.readings().size() >= batch_readings_) insert_ready();
@@ -90,8 +94,9 @@ void Pipeline::insert_ready() {
   const std::span<const Reading> readings = sensing_.readings();
   if (readings.empty()) return;
   if (host_.readings) host_.readings(readings);
-  for_each_method(&MethodCost::insert_cpu_s,
-                  [&](AnyMethod& method, Executor& executor) { method.insert(readings, executor); });
+  for_each_method(&MethodCost::insert_cpu_s, [&](AnyMethod& method, Executor& executor) {
+    method.insert(method.takes_laser_limited() ? sensing_.limited_readings() : readings, executor);
+  });
   sensing_.clear_readings();
 }
 
@@ -109,7 +114,8 @@ void Pipeline::for_each_method(double MethodCost::* cost, const std::function<vo
 
 LogRun run_log(const Log& log, const SensingOptions& options, std::span<AnyMethod> methods, Executor& executor,
                const PipelineHost& host, std::size_t batch_readings) {
-  Pipeline pipeline(sensing_for(log, options), methods, executor, host, batch_readings);
+  const bool limited = std::ranges::any_of(methods, &AnyMethod::takes_laser_limited);
+  Pipeline pipeline(sensing_for(log, options, limited), methods, executor, host, batch_readings);
   bool cancelled = false;
   for (std::size_t i = 0; i < log.pings.size() && !cancelled; ++i) {
     pipeline.push(log.pings[i]);

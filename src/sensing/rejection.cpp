@@ -42,6 +42,11 @@ constexpr std::array<RejectionInfo, rejection_count> table{{
     {Rejection::path_too_short, "path_too_short",
      "the path is not longer than the distance from transmitter to receiver",
      "Check both mounts, and that the range of such a ping is half of the path."},
+    {Rejection::range_cut, "range_cut", "the range is beyond range_cut_m",
+     "Nothing to do: this is what the cut is for; raise range_cut_m to keep more."},
+    {Rejection::range_jump, "range_jump",
+     "the range differs by more than jump_filter_m from the reading before of its sensor",
+     "Nothing to do: this is what the filter is for; raise jump_filter_m to keep more."},
 }};
 
 /// What `RejectionTally::first_value` is for a reason.

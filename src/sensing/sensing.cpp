@@ -35,6 +35,15 @@ Rejection reason_of(PoseTrack::Refusal refusal) {
   return Rejection::bad_time;
 }
 
+Rejection reason_of(LaserLimiter::Refusal refusal) {
+  switch (refusal) {
+    case LaserLimiter::Refusal::unknown_laser: return Rejection::unknown_sensor;
+    case LaserLimiter::Refusal::backwards: return Rejection::time_backwards;
+    case LaserLimiter::Refusal::bad_time: break;
+  }
+  return Rejection::bad_time;
+}
+
 Rejection reason_of(PoseTrack::Missing missing) {
   return missing == PoseTrack::Missing::gap ? Rejection::pose_gap : Rejection::no_pose;
 }
@@ -53,6 +62,21 @@ Sensing::Sensing(SensorArray sensors, const SensingOptions& options, std::vector
   for (const Sensor& sensor : sensors_.sensors()) {
     report_.sensors.push_back({.sensor = sensor.id});
     if (undecided) report_.no_echo.push_back(describe_no_echo(sensor));
+  }
+}
+
+void Sensing::use_lasers(const std::vector<LaserMount>& lasers) {
+  assert(report_.pings == 0);
+  limited_beside_ = options_.laser_limit == LaserLimit::none;
+  limiter_.emplace(lasers, limited_beside_ ? LaserLimit::cone_min : options_.laser_limit, options_.laser_max_age_s);
+}
+
+void Sensing::push(const Scan& scan) {
+  if (!limiter_) return;
+  const std::uint64_t index = report_.scans++;
+  if (const auto refusal = limiter_->push(scan)) {
+    const bool unknown = *refusal == LaserLimiter::Refusal::unknown_laser;
+    report_.rejected_scans.add(reason_of(*refusal), scan.line, index, unknown ? double(scan.laser) : scan.time_s);
   }
 }
 
@@ -96,7 +120,8 @@ void Sensing::end_of_odometry() {
 bool Sensing::can_settle(const Ping& ping) const {
   if (odometry_ended_ || !std::isfinite(ping.time_s)) return true;
   if (track_.empty()) return false;
-  return ping.time_s <= track_.newest_s() || ping.time_s > track_.newest_s() + options_.max_wait_s;
+  const double known_s = track_.newest_s() - (limiter_ ? options_.laser_max_age_s : 0.0);
+  return ping.time_s <= known_s || ping.time_s > track_.newest_s() + options_.max_wait_s;
 }
 
 void Sensing::drain() {
@@ -131,7 +156,17 @@ void Sensing::settle(const Waiting& waiting) {
   const auto range_m = echo_range_m(reading.outcome);
   if (!reading.monostatic() && range_m && 2.0 * *range_m <= foci_m + eps_length_m)
     return reject(waiting, Rejection::path_too_short);
+  if (const auto reason = filter(reading)) return reject(waiting, *reason);
   accept(reading);
+}
+
+std::optional<Rejection> Sensing::filter(const Reading& reading) {
+  // What is cut is still what the sensor said: the next reading is compared with it.
+  const bool jumps = options_.jump_filter_m > 0.0 && jumps_.jumps(reading, options_.jump_filter_m);
+  const auto range_m = echo_range_m(reading.outcome);
+  if (options_.range_cut_m > 0.0 && range_m && *range_m > options_.range_cut_m + eps_length_m)
+    return Rejection::range_cut;
+  return jumps ? std::optional(Rejection::range_jump) : std::nullopt;
 }
 
 DecodedRange Sensing::decode(const Ping& ping) const {
@@ -188,7 +223,14 @@ void Sensing::accept(const Reading& reading) {
     ++report_.too_close;
     ++tally.too_close;
   }
-  readings_.push_back(reading);
+  if (!limiter_) {
+    readings_.push_back(reading);
+    return;
+  }
+  const Reading limited = limiter_->limited(reading, track_);
+  report_.laser_limited += limited.laser_limited ? 1 : 0;
+  readings_.push_back(limited_beside_ ? reading : limited);
+  if (limited_beside_) limited_.push_back(limited);
 }
 
 void Sensing::reject(const Waiting& waiting, Rejection reason) {
@@ -209,9 +251,11 @@ SensedLog sense(const Log& log, const SensingOptions& options) {
   return {{readings.begin(), readings.end()}, sensing.report()};
 }
 
-Sensing sensing_for(const Log& log, const SensingOptions& options) {
+Sensing sensing_for(const Log& log, const SensingOptions& options, bool limited_beside) {
   const SensorArray& sensors = log.robot.sensors;
   Sensing sensing(sensors, options, decide_no_echo(sensors, log.pings), log.temperature_k);
+  if (limited_beside || options.laser_limit != LaserLimit::none) sensing.use_lasers(log.robot.lasers);
+  for (const Scan& scan : log.scans) sensing.push(scan);
   for (const Odometry& sample : log.odometry) sensing.push(sample);
   for (const WallNote& note : log.walls) sensing.push(note);
   sensing.end_of_odometry();

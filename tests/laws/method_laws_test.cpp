@@ -9,6 +9,7 @@
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
+#include "echoarc/mapping/limited_grid.hpp"
 #include "echoarc/mapping/numakura.hpp"
 #include "echoarc/mapping/triangulation_fusion.hpp"
 #include "echoarc/mapping/voting.hpp"
@@ -50,6 +51,7 @@ ECHOARC_METHOD_LAWS(DirectionalMaximum);
 ECHOARC_METHOD_LAWS(BayesUpdate);
 ECHOARC_METHOD_LAWS(EvidenceGrid);
 ECHOARC_METHOD_LAWS(Numakura);
+ECHOARC_METHOD_LAWS(LimitedGrid);
 ECHOARC_METHOD_LAWS(Carve);
 ECHOARC_METHOD_LAWS(CarvedGrid);
 

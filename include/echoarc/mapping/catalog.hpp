@@ -27,6 +27,8 @@ class AnyMethod {
   void finish(Executor& executor) { model_->finish(executor); }
   [[nodiscard]] Result<MapExport> export_map() const { return model_->export_map(); }
   [[nodiscard]] const InsertCounters& counters() const { return model_->counters(); }
+  /// Whether it wants laser-limited readings.
+  [[nodiscard]] bool takes_laser_limited() const { return model_->takes_laser_limited(); }
   /// The method's own counts; empty for most.
   [[nodiscard]] std::vector<Tally> tallies() const { return model_->tallies(); }
   [[nodiscard]] Trace trace(const Reading& reading) const { return model_->trace(reading); }
@@ -44,6 +46,7 @@ class AnyMethod {
     virtual void finish(Executor& executor) = 0;
     [[nodiscard]] virtual Result<MapExport> export_map() const = 0;
     [[nodiscard]] virtual const InsertCounters& counters() const = 0;
+    [[nodiscard]] virtual bool takes_laser_limited() const = 0;
     [[nodiscard]] virtual std::vector<Tally> tallies() const = 0;
     [[nodiscard]] virtual Trace trace(const Reading& reading) const = 0;
     [[nodiscard]] virtual bool supports(const Reading& reading, Vec2 position) const = 0;
@@ -59,6 +62,7 @@ class AnyMethod {
     void finish(Executor& executor) override { method.finish(executor); }
     [[nodiscard]] Result<MapExport> export_map() const override { return method.export_map(); }
     [[nodiscard]] const InsertCounters& counters() const override { return method.counters(); }
+    [[nodiscard]] bool takes_laser_limited() const override { return LaserLimited<M>; }
     [[nodiscard]] std::vector<Tally> tallies() const override {
       if constexpr (Tallying<M>)
         return method.tallies();

@@ -16,9 +16,12 @@ struct CenterlineOptions {
   double origin_y_m = 0.0;
   int max_memory_mib = 1024;
   BeamPolicy beam_policy = BeamPolicy::bisector;
+  int min_neighbours = 0;
+  double neighbour_radius_m = 0.2;
 
   static constexpr auto fields() {
-    return std::tuple_cat(grid_fields<CenterlineOptions>(), arc_fields<CenterlineOptions>());
+    return std::tuple_cat(grid_fields<CenterlineOptions>(), arc_fields<CenterlineOptions>(),
+                          neighbour_fields<CenterlineOptions>());
   }
 };
 

@@ -11,6 +11,7 @@
 #include "echoarc/core/options.hpp"
 #include "echoarc/maps/arc_raster.hpp"
 #include "echoarc/maps/grid_geometry.hpp"
+#include "echoarc/maps/neighbour_filter.hpp"
 
 /// Options that several methods share. A method's option struct has members of these names and joins the fields:
 ///
@@ -52,6 +53,26 @@ template <class Options>
             {.doc = "part of a bistatic reading's ellipse that is its arc: within half a beam of the mean "
                     "axis, inside both beams, or inside either",
              .source = "[Barshan07] 2, Fig. 1b draws it without a rule"})};
+}
+
+/// Fields of `int min_neighbours`, `double neighbour_radius_m` for methods whose map is points: lonely points are left
+/// out of what `export_map` hands over, and come back when they get neighbours.
+template <class Options>
+[[nodiscard]] constexpr auto neighbour_fields() {
+  return std::tuple{
+      field("min_neighbours", &Options::min_neighbours,
+            {.unit = "points",
+             .min = 0,
+             .max = 100,
+             .doc = "points with fewer others around them are not handed out; 0: all are; 2 is a good value",
+             .source = "[Silver04] App. B"}),
+      field("neighbour_radius_m", &Options::neighbour_radius_m,
+            {.unit = "m", .min = 0.001, .max = 100.0, .doc = "how far away a neighbour may be"})};
+}
+
+template <class Options>
+[[nodiscard]] NeighbourRule neighbour_rule(const Options& options) {
+  return {options.min_neighbours, options.neighbour_radius_m};
 }
 
 template <class Options>

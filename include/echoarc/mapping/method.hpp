@@ -45,6 +45,10 @@ concept Tallying = requires(const M method) {
   { method.tallies() } -> std::same_as<std::vector<Tally>>;
 };
 
+/// A method that wants its readings shortened to what a laser saw nearer; see `LaserLimiter` of sensing.
+template <class M>
+concept LaserLimited = requires { requires M::takes_laser_limited; };
+
 /// One named number of a method's formula, for people who want to follow it step by step.
 struct Term {
   std::string_view name;

@@ -36,7 +36,8 @@ struct MethodCost {
 /// Drives a log or a stream through sensing into several methods in one pass.
 ///
 /// Readings are handed over in batches, each method its own task of the executor; a batch is a matter of speed alone:
-/// maps and counters depend neither on its size nor on the number of threads.
+/// maps and counters depend neither on its size nor on the number of threads. Methods that take laser-limited readings
+/// get those of `sensing`, the others the plain ones, in the same pass.
 class Pipeline {
  public:
   static constexpr std::size_t default_batch = 4096;
@@ -47,6 +48,7 @@ class Pipeline {
 
   void push(const Odometry& sample);
   void push(const WallNote& note);
+  void push(const Scan& scan);
   void push(const Ping& ping);
   /// Gives the methods every reading that is ready and brings their maps up to date; more may follow. Pings that wait
   /// for odometry keep waiting.

@@ -28,8 +28,10 @@ enum class Rejection : std::uint8_t {
   above_max_range,    ///< an echo beyond the sensor's maximum where the described no-echo rule does not cover it
   implausible_range,  ///< more than twice the maximum: probably another unit
   path_too_short,     ///< path of a bistatic ping not longer than the distance from transmitter to receiver
+  range_cut,          ///< an echo beyond the range cut of the user
+  range_jump,         ///< differs too much from the reading before of its sensor, as the user wants it
 };
-inline constexpr std::size_t rejection_count = 13;
+inline constexpr std::size_t rejection_count = 15;
 
 /// What people are told about a reason.
 struct RejectionInfo {

@@ -13,6 +13,8 @@
 #include "echoarc/core/pose_track.hpp"
 #include "echoarc/core/reading.hpp"
 #include "echoarc/core/speed_of_sound.hpp"
+#include "echoarc/sensing/jump_filter.hpp"
+#include "echoarc/sensing/laser_limiter.hpp"
 #include "echoarc/sensing/scan_numbering.hpp"
 #include "echoarc/sensing/sensing_options.hpp"
 #include "echoarc/sensing/sensing_report.hpp"
@@ -35,8 +37,14 @@ class Sensing {
   explicit Sensing(SensorArray sensors, const SensingOptions& options = {}, std::vector<NoEchoDecision> no_echo = {},
                    double recorded_temperature_k = default_temperature_k);
 
+  /// Before anything is pushed: also makes laser-limited readings, by the rule of the options or `cone_min`. Pings then
+  /// wait until odometry is `laser_max_age_s` past them, so that the scans around them are known.
+  void use_lasers(const std::vector<LaserMount>& lasers);
+
   void push(const Odometry& sample);
   void push(const WallNote& note);
+  /// Without `use_lasers` scans are of no use and not counted.
+  void push(const Scan& scan);
   /// Pings are numbered as they come: the reading's `ping` is the count of pings before it.
   void push(const Ping& ping);
   /// No more odometry will come: waiting pings are decided now and later ones at once.
@@ -44,7 +52,12 @@ class Sensing {
 
   /// Readings since the last `clear_readings`, in the order of the pings.
   [[nodiscard]] std::span<const Reading> readings() const { return readings_; }
-  void clear_readings() { readings_.clear(); }
+  /// The same readings, shortened to what the lasers saw nearer. With the option `laser_limit` all readings are.
+  [[nodiscard]] std::span<const Reading> limited_readings() const { return limited_beside_ ? limited_ : readings_; }
+  void clear_readings() {
+    readings_.clear();
+    limited_.clear();
+  }
 
   [[nodiscard]] const SensingReport& report() const { return report_; }
   [[nodiscard]] const PoseTrack& track() const { return track_; }
@@ -63,6 +76,7 @@ class Sensing {
                                      std::uint32_t scan) const;
   [[nodiscard]] DecodedRange decode(const Ping& ping) const;
   [[nodiscard]] WallSide wall_at(double time_s) const;
+  [[nodiscard]] std::optional<Rejection> filter(const Reading& reading);
   void accept(const Reading& reading);
   void reject(const Waiting& waiting, Rejection reason);
   [[nodiscard]] SensorTally* tally_of(SensorId sensor);
@@ -76,13 +90,18 @@ class Sensing {
   ScanNumbering scans_;
   std::optional<double> newest_ping_s_;
   bool odometry_ended_ = false;
+  JumpFilter jumps_;
+  std::optional<LaserLimiter> limiter_;
+  bool limited_beside_ = false;
   std::vector<Reading> readings_;
+  std::vector<Reading> limited_;
   SensingReport report_;
 };
 
-/// Sensing for the pings of a whole log: the no-echo decisions come from all its values; odometry and wall notes are
-/// in, pings follow.
-[[nodiscard]] Sensing sensing_for(const Log& log, const SensingOptions& options = {});
+/// Sensing for the pings of a whole log: the no-echo decisions come from all its values; odometry, wall notes and,
+/// where readings are to be laser-limited (by the options, or because `limited_beside` asks for both kinds), laser
+/// scans are in, pings follow.
+[[nodiscard]] Sensing sensing_for(const Log& log, const SensingOptions& options = {}, bool limited_beside = false);
 
 /// A whole log: the no-echo decisions from all its values, then every ping.
 struct SensedLog {

@@ -20,6 +20,16 @@ constexpr std::array<Choice<BelowMinimum>, 2> choices(BelowMinimum) {
   return {{{BelowMinimum::reject, "reject"}, {BelowMinimum::too_close, "too_close"}}};
 }
 
+/// Which laser returns shorten a sonar reading (laser-limited sonar, [Yamauchi97]).
+enum class LaserLimit : std::uint8_t {
+  none,      ///< none: readings stay as they are
+  cone_min,  ///< the nearest inside the sonar's beam
+  axis,      ///< where the beam's axis crosses the line between the returns of neighbouring laser beams
+};
+constexpr std::array<Choice<LaserLimit>, 3> choices(LaserLimit) {
+  return {{{LaserLimit::none, "none"}, {LaserLimit::cone_min, "cone_min"}, {LaserLimit::axis, "axis"}}};
+}
+
 /// How raw records become readings.
 struct SensingOptions {
   double max_pose_gap_s = 1.0;
@@ -28,6 +38,10 @@ struct SensingOptions {
   BelowMinimum below_minimum = BelowMinimum::reject;
   double air_temperature_k = 0.0;
   double trusted_range_m = 0.0;
+  double range_cut_m = 0.0;
+  double jump_filter_m = 0.0;
+  LaserLimit laser_limit = LaserLimit::none;
+  double laser_max_age_s = 0.2;
 
   static constexpr auto fields() {
     using S = SensingOptions;
@@ -61,7 +75,29 @@ struct SensingOptions {
               {.unit = "m",
                .min = 0.0,
                .max = 1000.0,
-               .doc = "to this range silence counts as free space, for all sensors; 0: each sensor's own"})};
+               .doc = "to this range silence counts as free space, for all sensors; 0: each sensor's own"}),
+        field("range_cut_m", &S::range_cut_m,
+              {.unit = "m",
+               .min = 0.0,
+               .max = 1000.0,
+               .doc = "echoes beyond this are left out; 0: none",
+               .source = "[Silver04] App. B: 3.81 m (150 in)"}),
+        field("jump_filter_m", &S::jump_filter_m,
+              {.unit = "m",
+               .min = 0.0,
+               .max = 1000.0,
+               .doc = "a reading that differs by more from the one before of its sensor is left out; 0: none; 0.5 is a "
+                      "good value",
+               .source = "[Silver04] App. B"}),
+        field("laser_limit", &S::laser_limit,
+              {.doc = "shorten readings of all methods to what the log's laser saw nearer; method `limited` has them "
+                      "shortened anyway, with cone_min unless this says otherwise",
+               .source = "[Yamauchi97]"}),
+        field("laser_max_age_s", &S::laser_max_age_s,
+              {.unit = "s",
+               .min = 0.0,
+               .max = 3600.0,
+               .doc = "a ping is held against the laser scan nearest in time, if not further away than this"})};
   }
 };
 

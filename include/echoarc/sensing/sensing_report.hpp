@@ -34,9 +34,12 @@ struct SensingReport {
   std::uint64_t echoes = 0;
   std::uint64_t no_echoes = 0;
   std::uint64_t too_close = 0;
+  std::uint64_t scans = 0;          ///< laser scans offered
+  std::uint64_t laser_limited = 0;  ///< readings that a laser shortened
   RejectionCounters rejected_pings;
   RejectionCounters rejected_odometry;
   RejectionCounters rejected_walls;
+  RejectionCounters rejected_scans;
   std::vector<SensorTally> sensors;     ///< in order of id; pings of unknown sensors are in none of them
   std::vector<NoEchoDecision> no_echo;  ///< in order of id
 

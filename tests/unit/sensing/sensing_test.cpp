@@ -104,10 +104,10 @@ TEST(Sensing, EveryReasonIsReachable) {
                test::ping_at(3.0, 0, 1.0), test::ping_at(9.0, 0, 1.0),       test::ping_at(test::nan, 0, 1.0),
                test::ping_at(0.6, 7, 1.0), test::ping_at(0.7, 0, test::nan), test::ping_at(0.8, 0, 0.1),
                test::ping_at(0.9, 0, 5.0), test::ping_at(0.95, 0, 50.0),     test::ping_at(0.96, 1, 0.3),
-               test::ping_at(0.97, 1, 1.0)};
+               test::ping_at(0.97, 1, 1.0), test::ping_at(0.98, 0, 3.9),     test::ping_at(0.99, 0, 1.0)};
   log.pings[11].tx = 0;
   log.pings[12].echo_index = 1;
-  const SensingReport report = sense(log).report;
+  const SensingReport report = sense(log, {.range_cut_m = 3.81, .jump_filter_m = 0.5}).report;
   EXPECT_EQ(report.accepted(), 1U);
   EXPECT_EQ(report.rejected_odometry[Rejection::bad_pose].count, 1U);
   for (const RejectionInfo& row : rejections()) {
