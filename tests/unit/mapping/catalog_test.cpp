@@ -23,8 +23,8 @@ TEST(Catalog, NamesAreUniqueAndEntriesComplete) {
       EXPECT_TRUE(check_option(spec, spec.default_value)) << entry.name << "." << spec.name << ": default out of range";
     }
   }
-  EXPECT_EQ(names, (std::set<std::string_view>{"bu", "carve", "carved_grid", "centerline", "dm", "evidence", "limited",
-                                               "numakura", "vt"}));
+  for (const std::string_view name : {"centerline", "vt", "dm", "bu", "evidence", "numakura", "limited", "carve"})
+    EXPECT_TRUE(names.contains(name)) << name << " is in files and URLs: it must not go away";
 }
 
 TEST(Catalog, MakesMethodsWithOptionsAndRestoresThem) {
@@ -48,8 +48,8 @@ TEST(Catalog, MakesMethodsWithOptionsAndRestoresThem) {
 TEST(Catalog, RefusesUnknownNamesAndValues) {
   const auto unknown = make_method("magic");
   ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().remedy,
-            "use one of centerline, vt, dm, bu, evidence, numakura, limited, carve, carved_grid");
+  for (const MethodEntry& entry : catalog())
+    EXPECT_NE(unknown.error().remedy.find(entry.name), std::string::npos) << entry.name;
   const auto bad = make_method("evidence", {{"cell_m", -1.0}});
   ASSERT_FALSE(bad);
   EXPECT_EQ(bad.error().where, "cell_m");
