@@ -41,14 +41,16 @@ CrossableArc::CrossableArc(const Arc& arc)
   u_end_ = half_tangent(t_end_);
 }
 
-/// Where a point of the curve lies along it. A cheap test first: most points are off the arc.
-CrossableArc::Placed CrossableArc::place(Vec2 from_centre) const {
+/// Whether the direction may lie between the limits: two products, no angle. Most points of the curve do not.
+bool CrossableArc::may_hold(Vec2 from_centre) const {
   const double along = dot(middle_, from_centre);
   const double aside = std::abs(cross(middle_, from_centre));
   constexpr double slack = 1e-9;
-  if (!(along * sin_half_ - aside * cos_half_ >= -slack * (std::abs(along) + aside))) return {};
-  const double t = std::atan2(cross(axis_, from_centre), dot(axis_, from_centre));
-  return {t, t >= t_begin_ && t <= t_end_};
+  return along * sin_half_ - aside * cos_half_ >= -slack * (std::abs(along) + aside);
+}
+
+double CrossableArc::parameter_of(Vec2 from_centre) const {
+  return std::atan2(cross(axis_, from_centre), dot(axis_, from_centre));
 }
 
 Vec2 CrossableArc::gradient(Vec2 from_centre) const {
@@ -59,14 +61,14 @@ Vec2 CrossableArc::gradient(Vec2 from_centre) const {
 
 void CrossableArc::add(const CrossableArc& a, const CrossableArc& b, Vec2 position, Vec2 from_a, Vec2 from_b,
                        ArcCrossings& out) {
-  const Placed on_a = a.place(from_a);
-  if (!on_a.on_arc) return;
-  const Placed on_b = b.place(from_b);
-  if (!on_b.on_arc) return;
+  if (!a.may_hold(from_a) || !b.may_hold(from_b)) return;
+  const double t_a = a.parameter_of(from_a);
+  const double t_b = b.parameter_of(from_b);
+  if (!(t_a >= a.t_begin_ && t_a <= a.t_end_ && t_b >= b.t_begin_ && t_b <= b.t_end_)) return;
   const Vec2 n_a = a.gradient(from_a);
   const Vec2 n_b = b.gradient(from_b);
   const double angle = std::atan2(std::abs(cross(n_a, n_b)), std::abs(dot(n_a, n_b)));
-  out.add({position, radians(on_a.t), radians(on_b.t), radians(angle)});
+  out.add({position, radians(t_a), radians(t_b), radians(angle)});
 }
 
 /// The chord is measured from the smaller circle, whose radius the difference of squares may otherwise swallow.
@@ -79,6 +81,7 @@ ArcCrossings CrossableArc::of_circles(const CrossableArc& a, const CrossableArc&
   const bool from_b = b.range_m_ < a.range_m_;
   const double small = from_b ? b.range_m_ : a.range_m_;
   const double large = from_b ? a.range_m_ : b.range_m_;
+  if (d2 > (small + large) * (small + large) || d2 < (large - small) * (large - small)) return found;
   const double d = std::sqrt(d2);
   const double along = 0.5 * (small * small + (d - large) * (d + large)) / d2;  // of the chord, as a share of d
   const double chord2 = small * small / d2 - along * along;                     // half chord squared, likewise

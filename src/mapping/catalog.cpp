@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 
+#include "echoarc/mapping/atm.hpp"
 #include "echoarc/mapping/bayes_update.hpp"
 #include "echoarc/mapping/carve.hpp"
 #include "echoarc/mapping/carved_grid.hpp"
@@ -62,6 +63,15 @@ constexpr std::array methods{
     entry<LimitedGrid>("Evidence grid on laser-limited sonar",
                        "The evidence grid with readings shortened to what a laser saw nearer; needs laser scans.",
                        "[Yamauchi97]"),
+    entry<AtmOrg>("Arc-transversal median (original)",
+                  "Where other arcs cross an arc steeply lies its echo; without crossings in the middle of the arc.",
+                  "[Choset03] III, IV"),
+    entry<AtmMod>("Arc-transversal median (modified)",
+                  "The same from all arcs of the log, and nothing from arcs that none crosses: few points, good ones.",
+                  "[Barshan07] 3.6"),
+    entry<AtmSilver>("Arc-transversal median (after Silver)",
+                     "The same from the newest 250 arcs, in the middle where two cross: an on-line map.",
+                     "[Silver04] 2.D"),
     entry<Carve>("Arc carving",
                  "Newer readings cut from older arcs what they found free: sharp points with no delay, ghosts removed.",
                  "[Silver04] 3, 5.A"),

@@ -3,6 +3,7 @@
 
 #include "laws/method_laws.hpp"
 
+#include "echoarc/mapping/atm.hpp"
 #include "echoarc/mapping/bayes_update.hpp"
 #include "echoarc/mapping/carve.hpp"
 #include "echoarc/mapping/carved_grid.hpp"
@@ -43,6 +44,13 @@ std::vector<Reading> filling_readings<TriangulationFusion>() {
   return readings;
 }
 
+template <>
+struct LawException<AtmMod> {
+  static constexpr std::string_view cannot_recover = "";
+  static constexpr std::string_view needs_baseline =
+      "[Barshan07] 3.6: an arc that no other crosses is left out, and arcs from one position do not cross";
+};
+
 namespace {
 
 ECHOARC_METHOD_LAWS(Centerline);
@@ -52,6 +60,9 @@ ECHOARC_METHOD_LAWS(BayesUpdate);
 ECHOARC_METHOD_LAWS(EvidenceGrid);
 ECHOARC_METHOD_LAWS(Numakura);
 ECHOARC_METHOD_LAWS(LimitedGrid);
+ECHOARC_METHOD_LAWS(AtmOrg);
+ECHOARC_METHOD_LAWS(AtmMod);
+ECHOARC_METHOD_LAWS(AtmSilver);
 ECHOARC_METHOD_LAWS(Carve);
 ECHOARC_METHOD_LAWS(CarvedGrid);
 
