@@ -48,7 +48,17 @@ Vec2 cut_of(std::span<const Vec2> points, const Piece& piece) {
   return *std::ranges::max_element(points, {}, [&](Vec2 p) { return std::abs(cross(high - low, p - low)); });
 }
 
-/// Fits a line; where a point lies too far off, cuts and fits both sides.
+std::vector<std::vector<Vec2>> clusters_of(std::span<const Vec2> points, double link_m) {
+  const std::vector<std::size_t> cluster = single_link_clusters(points, link_m);
+  std::vector<std::vector<Vec2>> clusters;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (cluster[k] == clusters.size()) clusters.emplace_back();
+    clusters[cluster[k]].push_back(points[k]);
+  }
+  return clusters;
+}
+
+/// Fits a line; where a point lies too far off, cuts, and fits what is still linked on either side.
 void split(std::vector<Vec2> points, const ClusterLineOptions& options, int depth, std::vector<Piece>& pieces) {
   if (points.size() < std::size_t(options.points_min) || depth > deepest_split) return;
   const Piece piece = fit(points);
@@ -65,8 +75,9 @@ void split(std::vector<Vec2> points, const ClusterLineOptions& options, int dept
     if (p != cut) (piece.line.along_m(p) < piece.line.along_m(cut) ? before : after).push_back(p);
   points = {};
   (before.size() <= after.size() ? before : after).push_back(cut);
-  split(std::move(before), options, depth + 1, pieces);
-  split(std::move(after), options, depth + 1, pieces);
+  for (const auto& side : {before, after})
+    for (std::vector<Vec2>& part : clusters_of(side, options.link_m))
+      split(std::move(part), options, depth + 1, pieces);
 }
 
 bool belong_together(const Piece& a, const Piece& b, const ClusterLineOptions& options) {
@@ -113,14 +124,8 @@ std::vector<Feature> cluster_lines(std::span<const Vec2> points, const ClusterLi
   std::vector<Vec2> sound;
   for (const Vec2 p : points)
     if (std::abs(p.x) < farthest_m && std::abs(p.y) < farthest_m) sound.push_back(p);
-  const std::vector<std::size_t> cluster = single_link_clusters(sound, options.link_m);
-  std::vector<std::vector<Vec2>> clusters;
-  for (std::size_t k = 0; k < sound.size(); ++k) {
-    if (cluster[k] == clusters.size()) clusters.emplace_back();
-    clusters[cluster[k]].push_back(sound[k]);
-  }
   std::vector<Piece> pieces;
-  for (std::vector<Vec2>& members : clusters) split(std::move(members), options, 0, pieces);
+  for (std::vector<Vec2>& members : clusters_of(sound, options.link_m)) split(std::move(members), options, 0, pieces);
   std::vector<Feature> lines;
   for (const Piece& piece : merge(std::move(pieces), options))
     lines.push_back({FeatureKind::line,

@@ -3,6 +3,7 @@
 
 #include "echoarc/features/cluster_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -129,6 +130,26 @@ RC_GTEST_PROP(SingleLinkOracle, ChainsOfNeighbours, (std::uint64_t seed)) {
     ++next;
   }
   RC_ASSERT(cluster == expected);
+}
+
+/// A cut parts what a line must not join again.
+RC_GTEST_PROP(ClusterLinesProperty, NoLineLeadsAcrossAGap, (std::uint64_t seed)) {
+  Rng rng(seed);
+  std::vector<Vec2> points;
+  Vec2 from{0.0, 0.0};
+  for (int k = 0; k < 6; ++k) {
+    const Vec2 to = from + rng.uniform(0.2, 1.0) * unit(degrees(rng.uniform(-180, 180)));
+    points = together(points, row(from, to, rng, 0.01));
+    from = to;
+  }
+  const ClusterLineOptions options;
+  for (const Feature& line : cluster_lines(points, options))
+    for (double share = 0.0; share <= 1.0; share += 0.02) {
+      const Vec2 at = line.begin + share * (line.end - line.begin);
+      const auto off = [&](Vec2 p) { return norm(p - at); };
+      RC_ASSERT(off(*std::ranges::min_element(points, {}, off)) <
+                std::hypot(0.5 * options.merge_gap_m, options.split_m + options.merge_offset_m));
+    }
 }
 
 RC_GTEST_PROP(ClusterLinesProperty, MoveWithTheWorld, (std::uint64_t seed)) {
