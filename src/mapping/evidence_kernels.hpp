@@ -106,6 +106,8 @@ struct EvidenceKernels {
   const char* instruction_set;
   /// begin <= free_begin <= near_begin <= near_end <= free_end <= end in every row; all the same in empty ones.
   void (*split_rows)(const SplitShape& shape, const Runs& sector, const RowEdges& edges);
+  /// All columns of the runs lie in *begin <= i < *end, and both ends are reached; *begin > *end without any.
+  void (*bounds)(const Runs& runs, std::int32_t* begin, std::int32_t* end);
   void (*add_constant)(const TileRow& row, const Runs& runs, std::int16_t increment);
   void (*add_fixed)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const FixedPolynomial& increment);
   void (*add_angular)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment);

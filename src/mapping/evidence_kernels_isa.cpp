@@ -13,6 +13,7 @@
 namespace echoarc::kernels::ECHOARC_ISA {
 
 void split_rows(const SplitShape&, const Runs&, const RowEdges&);
+void bounds(const Runs&, std::int32_t*, std::int32_t*);
 
 namespace {
 
@@ -210,6 +211,7 @@ void add_band(const TileRow& row, const Runs& runs, const BeamFrame& beam, const
 }  // namespace
 
 extern const EvidenceKernels table;
-const EvidenceKernels table{ECHOARC_TEXT(ECHOARC_ISA), split_rows, add_constant, add_fixed, add_angular, add_band};
+const EvidenceKernels table{
+    ECHOARC_TEXT(ECHOARC_ISA), split_rows, bounds, add_constant, add_fixed, add_angular, add_band};
 
 }  // namespace echoarc::kernels::ECHOARC_ISA

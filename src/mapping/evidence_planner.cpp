@@ -28,17 +28,6 @@ kernels::BeamFrame frame_of(const BeamReach& reach, const GridGeometry& geometry
           float(reach.echo_m.value_or(0.0))};
 }
 
-/// The columns that the rows of a range meet; empty when no row has any.
-Columns columns_of(const PlannedRows& rows, UpdateGroup::Range range) {
-  Columns columns{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::min()};
-  for (std::size_t k = range.begin; k < range.end; ++k) {
-    if (rows.begin[k] >= rows.end[k]) continue;
-    columns.begin = std::min(columns.begin, rows.begin[k]);
-    columns.end = std::max(columns.end, rows.end[k]);
-  }
-  return columns;
-}
-
 kernels::SplitShape split_shape(const BeamReach& reach, const GridGeometry& geometry) {
   const double per_cell = 1.0 / geometry.cell_m;
   const double apex_i = (reach.rim.centre().x - geometry.origin.x) * per_cell - 0.5;
@@ -157,7 +146,8 @@ bool EvidenceGrid::Planner::add_groups(std::int32_t j_first, UpdateGroup::Range 
     UpdateGroup group{.beam = plan_.beams.size(), .j_first = j, .rows = {rows.begin, rows.begin + in_tile}};
     rows.begin += in_tile;
     j += std::int32_t(in_tile);
-    const Columns cells = columns_of(plan_.rows, group.rows);
+    Columns cells;
+    kernels::evidence_kernels().bounds(runs_of(group, plan_.rows.begin, plan_.rows.end), &cells.begin, &cells.end);
     if (cells.begin >= cells.end) continue;
     group.tiles = {cells.begin >> tile_shift, ((cells.end - 1) >> tile_shift) + 1};
     for (std::int32_t ti = group.tiles.begin; ti < group.tiles.end; ++ti)
@@ -196,7 +186,8 @@ bool EvidenceGrid::Planner::add(const Reading& reading, const BeamReach& reach, 
     return false;
   }
   const FittedBeam& fitted = beam_of(reading);
-  const auto near_rows = std::int32_t(reach.near_m > 0.0 ? std::ceil(reach.near_m / geometry.cell_m) : 0.0);
+  const double near_m = reach.near_m > 0.0 ? std::min(reach.near_m, reach.outer_m) : 0.0;
+  const auto near_rows = std::int32_t(std::ceil(near_m / geometry.cell_m));
   plan_.beams.push_back({frame_of(reach, geometry), &fitted, near_rows});
   if (!reach.rim.is_circular() || !fitted.complete()) {
     rows_to_spots(first_group, reach, fitted);

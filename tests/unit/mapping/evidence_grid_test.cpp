@@ -264,6 +264,8 @@ std::vector<std::int32_t> work_of(const kernels::EvidenceKernels& kernels, std::
     kernels.add_band(row, rows.runs(4, 5), frame, *beam->band);
   }
   std::vector<std::int32_t> work(cells.begin(), cells.end());
+  work.resize(cells.size() + 2);
+  kernels.bounds(runs, &work[cells.size()], &work[cells.size() + 1]);
   for (const auto& edge : rows.edges) work.insert(work.end(), edge.begin(), edge.end());
   return work;
 }
