@@ -19,7 +19,7 @@ class Circle {
   Circle(std::vector<DepthReturn> returns, const DepthRegionOptions& options)
       : returns_(std::move(returns)), options_(options) {
     for (DepthReturn& r : returns_) r.bearing = wrap(r.bearing);
-    std::ranges::stable_sort(returns_, {}, &DepthReturn::bearing);
+    std::ranges::sort(returns_, {}, [](const DepthReturn& r) { return std::pair(r.bearing, r.ping); });
     std::size_t cut = 0;
     for (std::size_t k = 1; k < size(); ++k)
       if (jump_m(k) > jump_m(cut)) cut = k;

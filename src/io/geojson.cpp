@@ -34,12 +34,12 @@ Json feature_json(const Feature& feature) {
 }  // namespace
 
 std::string features_geojson(std::span<const Feature> features, std::string_view frame) {
-  Json collection = {{"type", "FeatureCollection"},
-                     {"echoarc",
-                      {{"frame", frame},
-                       {"unit", "m"},
-                       {"axes", "x right, y up, right-handed"},
-                       {"note", "local metric coordinates, not longitude and latitude"}}}};
+  const Json collection = {{"type", "FeatureCollection"},
+                           {"echoarc",
+                            {{"frame", frame},
+                             {"unit", "m"},
+                             {"axes", "x right, y up, right-handed"},
+                             {"note", "local metric coordinates, not longitude and latitude"}}}};
   std::string text = collection.dump(-1, ' ', false, Json::error_handler_t::replace);
   text.pop_back();  // one feature a line: files that people can read and compare
   text += ",\"features\":[";
