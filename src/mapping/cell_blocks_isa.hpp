@@ -95,9 +95,9 @@ inline Floats square_root(const Floats& x) {
 
 /// As many zeros as a tile's row has cells, then as many -1 (all bits): from 64 - k on, the cells l >= k of a row.
 struct Steps {
-  alignas(32) std::int16_t values[2 * tile_size];
+  alignas(32) std::int16_t values[2 * tile_size]{};
 
-  constexpr Steps() : values{} {
+  constexpr Steps() {
     for (std::int32_t k = tile_size; k < 2 * tile_size; ++k) values[k] = -1;
   }
 };

@@ -188,11 +188,15 @@ void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam,
   const BeamView view(beam, 1.0F);
   const float cell_m = beam.cell_m;
   const float range_m = beam.range_m;
+  const auto angular_factor = [&](const Place& place) {
+    if constexpr (angular_terms == 1)
+      return repeated(band.angular.c[0]);
+    else
+      return value<angular_terms>(band.angular, bent_sine_squared(place, band.angular.bend));
+  };
   const auto of = [&](const Place& place) {
     const Floats error = square_root(place.squared) * cell_m - range_m;
-    Floats height = value<radial_terms>(band.radial, error * error);
-    if constexpr (angular_terms > 1)
-      height = height * value<angular_terms>(band.angular, bent_sine_squared(place, band.angular.bend));
+    const Floats height = value<radial_terms>(band.radial, error * error) * angular_factor(place);
     return height * value<logit_terms>(band.logit, height * height);
   };
   add_scattered(row, runs, view, [&](const Place& low, const Place& high) { return rounded(of(low), of(high)); });
