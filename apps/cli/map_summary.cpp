@@ -39,6 +39,10 @@ void print_pings(const Log& log, const SensingReport& sensing) {
   for (const std::string& note : no_echo_sentences(sensing.no_echo)) fmt::print("  {}\n", note);
   fmt::print("  accepted {}: {} echo, {} no echo, {} too close\n", sensing.accepted(), sensing.echoes,
              sensing.no_echoes, sensing.too_close);
+  if (sensing.polls.polls > 0)
+    fmt::print("  {} made of {}: {} unusable, {} out of step, {} late\n", counted(sensing.pings, "ping"),
+               counted(sensing.polls.polls, "poll"), sensing.polls.bad_polls, sensing.polls.anomalies,
+               counted(sensing.polls.late_echoes, "echo"));
   if (sensing.scans > 0)
     fmt::print("  {} shortened to what {} saw nearer\n", counted(sensing.laser_limited, "reading"),
                counted(sensing.scans, "laser scan"));

@@ -76,7 +76,7 @@ Result<void> check_usable(const Log& log, const LogRun& run) {
   if (run.report.accepted() > 0 && !hopeless) return {};
   if (run.cancelled)
     return Error{ErrorCode::interrupted, "interrupted before the first ping was mapped", log.source, "run it again"};
-  if (log.pings.empty())
+  if (log.pings.empty() && log.polls.empty())
     return Error{ErrorCode::bad_format, "the log holds no pings", log.source,
                  "check with `echoarc info` what it does hold"};
   const auto worst = std::ranges::max_element(

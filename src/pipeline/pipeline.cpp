@@ -81,6 +81,15 @@ void Pipeline::push(const Ping& ping) {
   if (sensing_.readings().size() >= batch_readings_) insert_ready();
 }
 
+void Pipeline::push(const Poll& poll) {
+  sensing_.push(poll);
+  if (sensing_.readings().size() >= batch_readings_) insert_ready();
+}
+
+void Pipeline::end_of_polls() {
+  sensing_.end_of_polls();
+}
+
 void Pipeline::end_of_odometry() {
   sensing_.end_of_odometry();
 }
@@ -117,12 +126,17 @@ LogRun run_log(const Log& log, const SensingOptions& options, std::span<AnyMetho
   const bool limited = std::ranges::any_of(methods, &AnyMethod::takes_laser_limited);
   Pipeline pipeline(sensing_for(log, options, limited), methods, executor, host, batch_readings);
   bool cancelled = false;
-  for (std::size_t i = 0; i < log.pings.size() && !cancelled; ++i) {
-    pipeline.push(log.pings[i]);
-    if (i % host_interval != 0) continue;
-    if (host.progress) host.progress(static_cast<double>(i) / static_cast<double>(log.pings.size()));
-    cancelled = host.cancelled && host.cancelled();
-  }
+  const auto push_all = [&](const auto& records) {
+    for (std::size_t i = 0; i < records.size() && !cancelled; ++i) {
+      pipeline.push(records[i]);
+      if (i % host_interval != 0) continue;
+      if (host.progress) host.progress(static_cast<double>(i) / static_cast<double>(records.size()));
+      cancelled = host.cancelled && host.cancelled();
+    }
+  };
+  push_all(log.pings);
+  if (log.pings.empty()) push_all(log.polls);
+  pipeline.end_of_polls();
   pipeline.flush();
   if (host.progress && !cancelled) host.progress(1.0);
   const std::span<const Odometry> path = pipeline.path();

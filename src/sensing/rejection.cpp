@@ -47,13 +47,16 @@ constexpr std::array<RejectionInfo, rejection_count> table{{
     {Rejection::range_jump, "range_jump",
      "the range differs by more than jump_filter_m from the reading before of its sensor",
      "Nothing to do: this is what the filter is for; raise jump_filter_m to keep more."},
+    {Rejection::stamp_uncertain, "stamp_uncertain", "when it was fired is known too loosely for the robot's speed",
+     "Drive slower or poll more often; to keep such pings, raise max_stamp_error_m and max_stamp_turn."},
 }};
 
 /// What `RejectionTally::first_value` is for a reason.
 std::string value_text(Rejection reason, double value) {
   if (reason == Rejection::unknown_sensor) return "sensor " + to_text(value);
   const bool of_time = reason == Rejection::bad_time || reason == Rejection::time_backwards ||
-                       reason == Rejection::no_pose || reason == Rejection::pose_gap;
+                       reason == Rejection::stamp_uncertain || reason == Rejection::no_pose ||
+                       reason == Rejection::pose_gap;
   if (of_time) return "t = " + to_text(value) + " s";
   return to_text(value) + " m";
 }

@@ -19,6 +19,7 @@ double offending_value(const Ping& ping, Rejection reason) {
     case Rejection::unknown_sensor: return ping.rx;
     case Rejection::bad_time:
     case Rejection::time_backwards:
+    case Rejection::stamp_uncertain:
     case Rejection::no_pose:
     case Rejection::pose_gap: return ping.time_s;
     default: return ping.range_m;
@@ -103,7 +104,11 @@ void Sensing::push(const WallNote& note) {
 }
 
 void Sensing::push(const Ping& ping) {
-  const Waiting waiting{ping, report_.pings++};
+  queue(ping, 0.0);
+}
+
+void Sensing::queue(const Ping& ping, double stamp_half_width_s) {
+  const Waiting waiting{ping, report_.pings++, stamp_half_width_s};
   if (waiting_.size() >= max_waiting) {
     reject(waiting, Rejection::no_pose);
     return;
@@ -117,15 +122,17 @@ void Sensing::end_of_odometry() {
   drain();
 }
 
-bool Sensing::can_settle(const Ping& ping) const {
+bool Sensing::can_settle(const Waiting& waiting) const {
+  const Ping& ping = waiting.ping;
   if (odometry_ended_ || !std::isfinite(ping.time_s)) return true;
   if (track_.empty()) return false;
-  const double known_s = track_.newest_s() - (limiter_ ? options_.laser_max_age_s : 0.0);
+  const double known_s =
+      track_.newest_s() - std::max(limiter_ ? options_.laser_max_age_s : 0.0, waiting.stamp_half_width_s);
   return ping.time_s <= known_s || ping.time_s > track_.newest_s() + options_.max_wait_s;
 }
 
 void Sensing::drain() {
-  while (!waiting_.empty() && can_settle(waiting_.front().ping)) {
+  while (!waiting_.empty() && can_settle(waiting_.front())) {
     settle(waiting_.front());
     waiting_.pop_front();
   }
@@ -148,6 +155,7 @@ void Sensing::settle(const Waiting& waiting) {
   if (const auto* missing = std::get_if<PoseTrack::Missing>(&pose)) return reject(waiting, reason_of(*missing));
   // Only now is the stamp known to be sane: a wild one must not make the pings after it look late.
   newest_ping_s_ = ping.time_s;
+  if (stamped_too_loosely(waiting)) return reject(waiting, Rejection::stamp_uncertain);
   const std::uint32_t scan = scans_.number(ping);
   const DecodedRange decoded = decode(ping);
   if (decoded.rejection) return reject(waiting, *decoded.rejection);
@@ -247,13 +255,18 @@ SensorTally* Sensing::tally_of(SensorId sensor) {
 SensedLog sense(const Log& log, const SensingOptions& options) {
   Sensing sensing = sensing_for(log, options);
   for (const Ping& ping : log.pings) sensing.push(ping);
+  if (log.pings.empty())
+    for (const Poll& poll : log.polls) sensing.push(poll);
+  sensing.end_of_polls();
   const std::span<const Reading> readings = sensing.readings();
   return {{readings.begin(), readings.end()}, sensing.report()};
 }
 
 Sensing sensing_for(const Log& log, const SensingOptions& options, bool limited_beside) {
   const SensorArray& sensors = log.robot.sensors;
-  Sensing sensing(sensors, options, decide_no_echo(sensors, log.pings), log.temperature_k);
+  const std::vector<Ping> polled = log.pings.empty() ? register_changes(sensors, log.polls) : std::vector<Ping>{};
+  const std::span<const Ping> values = log.pings.empty() ? std::span<const Ping>(polled) : log.pings;
+  Sensing sensing(sensors, options, decide_no_echo(sensors, values), log.temperature_k);
   if (limited_beside || options.laser_limit != LaserLimit::none) sensing.use_lasers(log.robot.lasers);
   for (const Scan& scan : log.scans) sensing.push(scan);
   for (const Odometry& sample : log.odometry) sensing.push(sample);

@@ -50,6 +50,8 @@ class Pipeline {
   void push(const WallNote& note);
   void push(const Scan& scan);
   void push(const Ping& ping);
+  void push(const Poll& poll);
+  void end_of_polls();
   /// Gives the methods every reading that is ready and brings their maps up to date; more may follow. Pings that wait
   /// for odometry keep waiting.
   void flush();

@@ -30,8 +30,9 @@ enum class Rejection : std::uint8_t {
   path_too_short,     ///< path of a bistatic ping not longer than the distance from transmitter to receiver
   range_cut,          ///< an echo beyond the range cut of the user
   range_jump,         ///< differs too much from the reading before of its sensor, as the user wants it
+  stamp_uncertain,    ///< a polled ping that could have been fired too far from where it is said to be
 };
-inline constexpr std::size_t rejection_count = 15;
+inline constexpr std::size_t rejection_count = 16;
 
 /// What people are told about a reason.
 struct RejectionInfo {

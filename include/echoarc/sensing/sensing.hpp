@@ -15,6 +15,7 @@
 #include "echoarc/core/speed_of_sound.hpp"
 #include "echoarc/sensing/jump_filter.hpp"
 #include "echoarc/sensing/laser_limiter.hpp"
+#include "echoarc/sensing/poll_stamper.hpp"
 #include "echoarc/sensing/scan_numbering.hpp"
 #include "echoarc/sensing/sensing_options.hpp"
 #include "echoarc/sensing/sensing_report.hpp"
@@ -47,6 +48,11 @@ class Sensing {
   void push(const Scan& scan);
   /// Pings are numbered as they come: the reading's `ping` is the count of pings before it.
   void push(const Ping& ping);
+  /// Registers of the sensors in order of id, which is the order in which they fire. The firings that can be told from
+  /// them become pings, one or two polls' flight times later.
+  void push(const Poll& poll);
+  /// No more polls will come: what they told so far becomes pings.
+  void end_of_polls();
   /// No more odometry will come: waiting pings are decided now and later ones at once.
   void end_of_odometry();
 
@@ -66,9 +72,14 @@ class Sensing {
   struct Waiting {
     Ping ping;
     PingId id;
+    double stamp_half_width_s = 0.0;  ///< of a polled ping: how far its firing may be from the stamp
   };
 
-  [[nodiscard]] bool can_settle(const Ping& ping) const;
+  void queue(const Ping& ping, double stamp_half_width_s);
+  void push_naive(const Poll& poll);
+  void take_firings();
+  [[nodiscard]] bool stamped_too_loosely(const Waiting& waiting) const;
+  [[nodiscard]] bool can_settle(const Waiting& waiting) const;
   void drain();
   void settle(const Waiting& waiting);
   [[nodiscard]] std::optional<Rejection> check_identity(const Ping& ping) const;
@@ -90,6 +101,9 @@ class Sensing {
   ScanNumbering scans_;
   std::optional<double> newest_ping_s_;
   bool odometry_ended_ = false;
+  std::optional<PollStamper> stamper_;
+  std::vector<double> registers_;  // naive polling
+  std::optional<double> newest_poll_s_;
   JumpFilter jumps_;
   std::optional<LaserLimiter> limiter_;
   bool limited_beside_ = false;
@@ -103,7 +117,11 @@ class Sensing {
 /// scans are in, pings follow.
 [[nodiscard]] Sensing sensing_for(const Log& log, const SensingOptions& options = {}, bool limited_beside = false);
 
-/// A whole log: the no-echo decisions from all its values, then every ping.
+/// Every register that changed from one poll to the next, as a ping at the time of the later one.
+[[nodiscard]] std::vector<Ping> register_changes(const SensorArray& sensors, std::span<const Poll> polls);
+
+/// A whole log: the no-echo decisions from all its values, then every ping. The polls of a log are used when it has no
+/// pings of its own.
 struct SensedLog {
   std::vector<Reading> readings;
   SensingReport report;

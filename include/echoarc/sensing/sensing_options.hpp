@@ -30,6 +30,15 @@ constexpr std::array<Choice<LaserLimit>, 3> choices(LaserLimit) {
   return {{{LaserLimit::none, "none"}, {LaserLimit::cone_min, "cone_min"}, {LaserLimit::axis, "axis"}}};
 }
 
+/// When polled pings are said to have been fired.
+enum class Polling : std::uint8_t {
+  interval,  ///< in the middle of the interval in which they must have been
+  naive,     ///< at the poll that shows them
+};
+constexpr std::array<Choice<Polling>, 2> choices(Polling) {
+  return {{{Polling::interval, "interval"}, {Polling::naive, "naive"}}};
+}
+
 /// How raw records become readings.
 struct SensingOptions {
   double max_pose_gap_s = 1.0;
@@ -42,6 +51,11 @@ struct SensingOptions {
   double jump_filter_m = 0.0;
   LaserLimit laser_limit = LaserLimit::none;
   double laser_max_age_s = 0.2;
+  Polling polling = Polling::interval;
+  double poll_gap_min_s = 0.038;
+  double poll_gap_max_s = 0.042;
+  double max_stamp_error_m = 0.05;
+  Angle max_stamp_turn = degrees(2.0);
 
   static constexpr auto fields() {
     using S = SensingOptions;
@@ -97,7 +111,28 @@ struct SensingOptions {
               {.unit = "s",
                .min = 0.0,
                .max = 3600.0,
-               .doc = "a ping is held against the laser scan nearest in time, if not further away than this"})};
+               .doc = "a ping is held against the laser scan nearest in time, if not further away than this"}),
+        field("polling", &S::polling,
+              {.doc = "logs with polled registers alone: date pings by when they must have been fired, or by the poll "
+                      "that shows them",
+               .source = "[Silver04] App. A, Fig. 14"}),
+        field("poll_gap_min_s", &S::poll_gap_min_s,
+              {.unit = "s",
+               .min = 0.001,
+               .max = 10.0,
+               .doc = "polled arrays: shortest time from one firing to the next",
+               .source = "[Barshan07] 4.1: 40 ms"}),
+        field(
+            "poll_gap_max_s", &S::poll_gap_max_s,
+            {.unit = "s", .min = 0.001, .max = 10.0, .doc = "polled arrays: longest time from one firing to the next"}),
+        field("max_stamp_error_m", &S::max_stamp_error_m,
+              {.unit = "m",
+               .min = 0.0,
+               .max = 100.0,
+               .doc = "a polled ping whose pose may be off by more is left out",
+               .source = "[Silver04] App. A, without a number"}),
+        field("max_stamp_turn", &S::max_stamp_turn,
+              {.min = 0.0, .max = 180.0, .doc = "a polled ping whose heading may be off by more is left out"})};
   }
 };
 

@@ -9,6 +9,7 @@
 
 #include "echoarc/core/reading.hpp"
 #include "echoarc/sensing/no_echo.hpp"
+#include "echoarc/sensing/poll_stamper.hpp"
 #include "echoarc/sensing/rejection.hpp"
 
 namespace echoarc {
@@ -36,6 +37,7 @@ struct SensingReport {
   std::uint64_t too_close = 0;
   std::uint64_t scans = 0;          ///< laser scans offered
   std::uint64_t laser_limited = 0;  ///< readings that a laser shortened
+  PollStamper::Counters polls;      ///< of polled registers; the pings made from them are counted as pings
   RejectionCounters rejected_pings;
   RejectionCounters rejected_odometry;
   RejectionCounters rejected_walls;
