@@ -8,6 +8,7 @@
 #include "bench/corridor.hpp"
 #include "bench/measure.hpp"
 #include "echoarc/mapping/carve.hpp"
+#include "echoarc/mapping/combined.hpp"
 
 namespace {
 
@@ -34,6 +35,7 @@ void in_corridor(benchmark::State& state) {
   state.counters["us_per_reading"] = benchmark::Counter(
       1e-6 * double(timed), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
+BENCHMARK(in_corridor<Combined>)->Name("combined_corridor")->Arg(250)->Arg(10'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(in_corridor<Carve>)->Name("carve_corridor")->Arg(250)->Arg(10'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

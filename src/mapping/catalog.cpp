@@ -12,6 +12,7 @@
 #include "echoarc/mapping/carve.hpp"
 #include "echoarc/mapping/carved_grid.hpp"
 #include "echoarc/mapping/centerline.hpp"
+#include "echoarc/mapping/combined.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
 #include "echoarc/mapping/limited_grid.hpp"
@@ -81,6 +82,9 @@ constexpr std::array methods{
     entry<TriangulationFusion>("Triangulation-based fusion",
                                "Points where recent arcs meet, edges and poles told from walls: exact and sparse.",
                                "[Barshan07] 3.7, after Wijk and Christensen"),
+    entry<Combined>("Arc carving and median combined",
+                    "Arc carving and the arc-transversal median side by side on one history, their points in one map.",
+                    "[Silver04] 4, 5.A"),
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "echoarc/mapping/carve.hpp"
 #include "echoarc/mapping/carved_grid.hpp"
 #include "echoarc/mapping/centerline.hpp"
+#include "echoarc/mapping/combined.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
 #include "echoarc/mapping/limited_grid.hpp"
@@ -64,6 +65,7 @@ ECHOARC_METHOD_LAWS(AtmOrg);
 ECHOARC_METHOD_LAWS(AtmMod);
 ECHOARC_METHOD_LAWS(AtmSilver);
 ECHOARC_METHOD_LAWS(Carve);
+ECHOARC_METHOD_LAWS(Combined);
 ECHOARC_METHOD_LAWS(CarvedGrid);
 
 /// The other mode of the carved grid.
