@@ -20,7 +20,7 @@ bool is_beam(Angle beam_width) {
 
 void Carver::carve(const ArcHistory& history, const Arc& newer, const ArcSource& by) {
   const FreeSector sector(newer, guard_m_);
-  history.candidates(sector.bounds(), candidates_);
+  history.unordered_candidates(sector.bounds(), candidates_);  // each is carved for itself
   for (const ArcSlot slot : candidates_)
     if (!remains_[slot].dead) apply(remains_[slot], sector, by);
 }

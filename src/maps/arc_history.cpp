@@ -78,6 +78,11 @@ bool ArcHistory::is_storable(const Arc& arc) {
 }
 
 void ArcHistory::candidates(const Box& box, std::vector<ArcSlot>& out) const {
+  unordered_candidates(box, out);
+  std::ranges::sort(out, {}, [&](ArcSlot slot) { return entries_[slot].sequence; });
+}
+
+void ArcHistory::unordered_candidates(const Box& box, std::vector<ArcSlot>& out) const {
   out.clear();
   if (hashed_ && hash_.cells_met(box) < double(size_)) {
     hash_.find(box, boxes_, out);
@@ -85,7 +90,6 @@ void ArcHistory::candidates(const Box& box, std::vector<ArcSlot>& out) const {
     for (ArcSlot slot = 0; slot < boxes_.size(); ++slot)
       if (overlap(box, boxes_[slot])) out.push_back(slot);
   }
-  std::ranges::sort(out, {}, [&](ArcSlot slot) { return entries_[slot].sequence; });
 }
 
 std::vector<ArcSlot> ArcHistory::in_time_order() const {

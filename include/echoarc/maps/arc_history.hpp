@@ -74,6 +74,8 @@ class ArcHistory {
 
   /// Replaces `out` by the slots whose box overlaps `box`, oldest first, each once.
   void candidates(const Box& box, std::vector<ArcSlot>& out) const;
+  /// The same in no particular order, for those to whom it does not matter.
+  void unordered_candidates(const Box& box, std::vector<ArcSlot>& out) const;
   /// All slots in the history, oldest first.
   [[nodiscard]] std::vector<ArcSlot> in_time_order() const;
 
