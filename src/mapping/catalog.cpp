@@ -15,7 +15,9 @@
 #include "echoarc/mapping/combined.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
+#include "echoarc/mapping/himm.hpp"
 #include "echoarc/mapping/limited_grid.hpp"
+#include "echoarc/mapping/morphological_processing.hpp"
 #include "echoarc/mapping/numakura.hpp"
 #include "echoarc/mapping/triangulation_fusion.hpp"
 #include "echoarc/mapping/voting.hpp"
@@ -52,12 +54,18 @@ constexpr std::array methods{
         "Directional maximum",
         "Of the arc counts along each direction of interest keeps the largest: thin walls from many arcs.",
         "[Barshan07] 3.3"),
+    entry<MorphologicalProcessing>("Morphological processing",
+                                   "Drops cells of the arc map with too few set neighbours: thick walls, few gaps.",
+                                   "[Barshan07] 3.4"),
     entry<BayesUpdate>("Bayesian update (as published)",
                        "Two evidences per cell that only grow; what was once free cannot become occupied again.",
                        "[Barshan07] 3.5, after Elfes 1987"),
     entry<EvidenceGrid>("Evidence grid",
                         "Occupancy in clamped log-odds from a sonar model; cells recover, silence clears.",
                         "[Choset03] II-A, II-B; [Silver04] 2.B"),
+    entry<Himm>("Histogramic in-motion mapping",
+                "Raises the cell on the axis at the echo, lowers those before it: the quickest grid, for navigation.",
+                "[Borenstein91]; [Choset03] II-A"),
     entry<Numakura>("Accumulation with outlier detection",
                     "Adds up free and obstacle evidence, and lets readings that look like outliers count little.",
                     "[Numakura] 4, 5"),

@@ -11,6 +11,7 @@
 #include "echoarc/core/executor.hpp"
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
+#include "echoarc/mapping/morphological_processing.hpp"
 #include "echoarc/mapping/voting.hpp"
 
 namespace echoarc {
@@ -47,6 +48,13 @@ TEST(V53Scores, DirectionalMaximum) {
   expect_scores<DirectionalMaximum>(along_columns(1), test::v53_dm1);
   expect_scores<DirectionalMaximum>(along_columns(2), test::v53_dm2);
   expect_scores<DirectionalMaximum>(along_columns(4), test::v53_dm4);
+}
+
+TEST(V53Scores, MorphologicalProcessing) {
+  expect_scores<MorphologicalProcessing>({.neighbours = 0}, test::v53_vt1);
+  expect_scores<MorphologicalProcessing>({.neighbours = 4}, test::v53_mp4);
+  expect_scores<MorphologicalProcessing>({.neighbours = 7}, test::v53_mp7);
+  expect_scores<MorphologicalProcessing>({.neighbours = 8}, test::v53_mp8);
 }
 
 }  // namespace

@@ -11,7 +11,9 @@
 #include "echoarc/mapping/combined.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
+#include "echoarc/mapping/himm.hpp"
 #include "echoarc/mapping/limited_grid.hpp"
+#include "echoarc/mapping/morphological_processing.hpp"
 #include "echoarc/mapping/numakura.hpp"
 #include "echoarc/mapping/triangulation_fusion.hpp"
 #include "echoarc/mapping/voting.hpp"
@@ -52,13 +54,21 @@ struct LawException<AtmMod> {
       "[Barshan07] 3.6: an arc that no other crosses is left out, and arcs from one position do not cross";
 };
 
+/// A lone arc, of which the suite makes much, is a line: its cells have two neighbours or three.
+template <>
+MorphologicalOptions law_options<MorphologicalProcessing>() {
+  return {.cell_m = 0.02, .neighbours = 2, .passes = 2};
+}
+
 namespace {
 
 ECHOARC_METHOD_LAWS(Centerline);
 ECHOARC_METHOD_LAWS(Voting);
 ECHOARC_METHOD_LAWS(DirectionalMaximum);
+ECHOARC_METHOD_LAWS(MorphologicalProcessing);
 ECHOARC_METHOD_LAWS(BayesUpdate);
 ECHOARC_METHOD_LAWS(EvidenceGrid);
+ECHOARC_METHOD_LAWS(Himm);
 ECHOARC_METHOD_LAWS(Numakura);
 ECHOARC_METHOD_LAWS(LimitedGrid);
 ECHOARC_METHOD_LAWS(AtmOrg);

@@ -27,6 +27,9 @@ struct V53Row {
 inline const V53Row v53_pm{"PM", 11, 0.1000, 0.2075, 1.0000, 0.6529};
 inline const V53Row v53_vt1{"VT1", 251, 4.0048, 1.0000, 0.3824, 0.6529};
 inline const V53Row v53_dm1{"DM1", 95, 4.9956, 1.0000, 0.3824, 0.6529};
+inline const V53Row v53_mp4{"MP4", 241, 3.3782, 1.0000, 0.5294, 0.7355};
+inline const V53Row v53_mp7{"MP7", 71, 2.0581, 1.0000, 0.7353, 0.8512};
+inline const V53Row v53_mp8{"MP8", 69, 1.8552, 1.0000, 0.7647, 0.8678};
 inline const V53Row v53_vt2{"VT2", 151, 1.8726, 1.0000, 0.7059, 0.8347};
 inline const V53Row v53_dm2{"DM2", 73, 1.9735, 1.0000, 0.7059, 0.8347};
 inline const V53Row v53_vt4{"VT4", 46, 0.1984, 0.7736, 1.0000, 0.9008};

@@ -23,8 +23,8 @@ TEST(Catalog, NamesAreUniqueAndEntriesComplete) {
       EXPECT_TRUE(check_option(spec, spec.default_value)) << entry.name << "." << spec.name << ": default out of range";
     }
   }
-  for (const std::string_view name : {"centerline", "vt", "dm", "bu", "evidence", "numakura", "limited", "atm_org",
-                                      "atm_mod", "atm_silver", "carve", "carved_grid", "combined"})
+  for (const std::string_view name : {"centerline", "vt", "dm", "mp", "bu", "evidence", "himm", "numakura", "limited",
+                                      "atm_org", "atm_mod", "atm_silver", "carve", "carved_grid", "combined"})
     EXPECT_TRUE(names.contains(name)) << name << " is in files and URLs: it must not go away";
 }
 

@@ -5,6 +5,7 @@
 
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
+#include "echoarc/mapping/morphological_processing.hpp"
 #include "echoarc/mapping/voting.hpp"
 #include "support/v53_scene.hpp"
 
@@ -63,6 +64,13 @@ TEST(V53, DirectionalMaximumAlongColumns) {
   EXPECT_EQ(occupied_cells<DirectionalMaximum>(columns(1)), 95U);
   EXPECT_EQ(occupied_cells<DirectionalMaximum>(columns(2)), 73U);
   EXPECT_EQ(occupied_cells<DirectionalMaximum>(columns(4)), 41U);
+}
+
+TEST(V53, MorphologicalProcessing) {
+  EXPECT_EQ(occupied_cells<MorphologicalProcessing>({.neighbours = 0}), 251U);
+  EXPECT_EQ(occupied_cells<MorphologicalProcessing>({.neighbours = 4}), 241U);
+  EXPECT_EQ(occupied_cells<MorphologicalProcessing>({.neighbours = 7}), 71U);
+  EXPECT_EQ(occupied_cells<MorphologicalProcessing>({.neighbours = 8}), 69U);
 }
 
 }  // namespace
