@@ -48,7 +48,7 @@ constexpr std::array<RejectionInfo, rejection_count> table{{
      "the range differs by more than jump_filter_m from the reading before of its sensor",
      "Nothing to do: this is what the filter is for; raise jump_filter_m to keep more."},
     {Rejection::stamp_uncertain, "stamp_uncertain", "when it was fired is known too loosely for the robot's speed",
-     "Drive slower or poll more often; to keep such pings, raise max_stamp_error_m and max_stamp_turn."},
+     "Drive slower or poll more often; to keep such pings, raise max_stamp_error_m and max_stamp_turn_deg."},
 }};
 
 /// What `RejectionTally::first_value` is for a reason.

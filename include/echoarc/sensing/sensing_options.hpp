@@ -131,8 +131,11 @@ struct SensingOptions {
                .max = 100.0,
                .doc = "a polled ping whose pose may be off by more is left out",
                .source = "[Silver04] App. A, without a number"}),
-        field("max_stamp_turn", &S::max_stamp_turn,
-              {.min = 0.0, .max = 180.0, .doc = "a polled ping whose heading may be off by more is left out"})};
+        field("max_stamp_turn_deg", &S::max_stamp_turn,
+              {.unit = "deg",
+               .min = 0.0,
+               .max = 180.0,
+               .doc = "a polled ping whose heading may be off by more is left out"})};
   }
 };
 
