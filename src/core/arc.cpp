@@ -54,6 +54,22 @@ std::optional<Interval> beam_interval(const Pose2& tx, const Pose2& rx, double r
   return common;
 }
 
+/// Whether a direction lies between two others that are less than half a turn apart, `eps_angle` beyond them included.
+bool between(Vec2 begin, Vec2 direction, Vec2 end) {
+  return cross(begin, direction) >= -eps_angle.rad() && cross(direction, end) >= -eps_angle.rad() &&
+         dot(begin + end, direction) > 0.0;
+}
+
+/// The box of a circular arc between two directions from its centre.
+Box circle_bounds(Vec2 centre, double radius_m, Vec2 begin, Vec2 end) {
+  Box box{{std::min(begin.x, end.x), std::min(begin.y, end.y)}, {std::max(begin.x, end.x), std::max(begin.y, end.y)}};
+  if (between(begin, {-1, 0}, end)) box.low.x = -1.0;
+  if (between(begin, {1, 0}, end)) box.high.x = 1.0;
+  if (between(begin, {0, -1}, end)) box.low.y = -1.0;
+  if (between(begin, {0, 1}, end)) box.high.y = 1.0;
+  return {centre + radius_m * box.low, centre + radius_m * box.high};
+}
+
 constexpr int gauss_points = 16;
 struct GaussNode {
   double x, weight;
@@ -160,6 +176,7 @@ double Arc::half_path_m(Vec2 p) const {
 }
 
 Box Arc::bounds() const {
+  if (is_circular()) return circle_bounds(centre_, range_m_, unit(axis_ + t_begin_), unit(axis_ + t_end_));
   const Vec2 a = point_at(t_begin_);
   const Vec2 b = point_at(t_end_);
   Box box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};

@@ -154,5 +154,23 @@ RC_GTEST_PROP(ArcProperty, LengthAndBoundsAgreeWithAFinePolyline, (std::uint64_t
   RC_ASSERT(box.high.y >= seen.high.y - 1e-12 && box.high.y < seen.high.y + 1e-4);
 }
 
+RC_GTEST_PROP(ArcProperty, CircleBoundsAreThoseOfAFinePolyline, (std::uint64_t seed)) {
+  Rng rng(seed);
+  const Pose2 sensor = arbitrary_pose(rng);
+  Arc arc = Arc::circular(sensor.position, sensor.heading, rng.uniform(0.5, 6.0), degrees(rng.uniform(5, 179)));
+  arc.set_limits(rng.uniform(-1.0, 0.0) * arc.half_width(), rng.uniform(0.0, 1.0) * arc.half_width());
+  const Box box = arc.bounds();
+  Box seen{arc.point_at(arc.t_begin()), arc.point_at(arc.t_begin())};
+  for (int k = 0; k <= 4000; ++k) {
+    const Vec2 p = arc.point_at(arc.t_begin() + (k / 4000.0) * (arc.t_end() - arc.t_begin()));
+    seen.low = {std::min(seen.low.x, p.x), std::min(seen.low.y, p.y)};
+    seen.high = {std::max(seen.high.x, p.x), std::max(seen.high.y, p.y)};
+  }
+  RC_ASSERT(box.low.x <= seen.low.x + 1e-12 && box.low.x > seen.low.x - 1e-5);
+  RC_ASSERT(box.low.y <= seen.low.y + 1e-12 && box.low.y > seen.low.y - 1e-5);
+  RC_ASSERT(box.high.x >= seen.high.x - 1e-12 && box.high.x < seen.high.x + 1e-5);
+  RC_ASSERT(box.high.y >= seen.high.y - 1e-12 && box.high.y < seen.high.y + 1e-5);
+}
+
 }  // namespace
 }  // namespace echoarc
