@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Voting and directional maximum.
+// Methods that count arcs or mark cells, and the passes over their maps.
 
 #include <benchmark/benchmark.h>
 
 #include "bench/measure.hpp"
 #include "bench/workload.hpp"
+#include "echoarc/core/rng.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
+#include "echoarc/mapping/himm.hpp"
+#include "echoarc/mapping/morphological_processing.hpp"
 #include "echoarc/mapping/voting.hpp"
 #include "echoarc/maps/arc_raster.hpp"
+#include "echoarc/maps/bit_plane.hpp"
 #include "echoarc/maps/dense_grid.hpp"
 
 namespace {
@@ -76,6 +80,58 @@ BENCHMARK_CAPTURE(directional_maximum, automatic, DirectionOfInterest::automatic
 BENCHMARK_CAPTURE(directional_maximum, axis, DirectionOfInterest::axis)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(directional_maximum, followed_wall, DirectionOfInterest::followed_wall)
     ->Unit(benchmark::kMillisecond);
+
+/// One pass of morphological processing over 525 x 525 cells.
+void thinning(benchmark::State& state) {
+  constexpr std::int32_t size = 525;
+  BitPlane plane(size, size);
+  Rng rng(1);
+  for (std::int32_t j = 0; j < size; ++j)
+    for (std::int32_t i = 0; i < size; ++i) plane.set({i, j}, rng.uniform() < 0.5);
+  BitPlane out(size, size);
+  for (auto _ : state) {
+    plane.thin_into(7, out);
+    consume(out);
+  }
+}
+BENCHMARK(thinning)->Unit(benchmark::kMicrosecond);
+
+/// A float add over as many cells: the floor.
+void thinning_floor(benchmark::State& state) {
+  DenseGrid<float> grid({}, 525, 525);
+  for (auto _ : state) {
+    for (float& value : grid.values()) value += 1.0F;
+    consume(grid);
+  }
+}
+BENCHMARK(thinning_floor)->Unit(benchmark::kMicrosecond);
+
+/// From readings to the exported state of mapping 700 arcs, thinning included.
+void morphological_processing(benchmark::State& state) {
+  const WorkloadOptions drive{.scene = chamber(), .readings = 700, .loop_half_x_m = 1.4, .loop_half_y_m = 1.4};
+  const std::vector<Reading> readings = arcs_only(drive);
+  InlineExecutor executor;
+  for (auto _ : state) {
+    MorphologicalProcessing method;
+    method.insert(readings, executor);
+    method.finish(executor);
+    consume(method.map());
+  }
+}
+BENCHMARK(morphological_processing)->Unit(benchmark::kMillisecond);
+
+/// One reading of histogramic in-motion mapping, cells of 10 cm.
+void histogramic(benchmark::State& state) {
+  const std::vector<Reading> readings = make_workload({.readings = 20'000});
+  Himm method;
+  InlineExecutor executor;
+  for (auto _ : state) {
+    method.insert(readings, executor);
+    consume(method.map());
+  }
+  count_arcs(state, readings.size());
+}
+BENCHMARK(histogramic)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
