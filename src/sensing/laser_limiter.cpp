@@ -75,7 +75,7 @@ double limit_of(const Reading& reading, LaserLimit rule, const std::vector<doubl
                                         hit_x.size() / kernels::hit_lanes * kernels::hit_lanes);
 }
 
-LaserLimiter::LaserLimiter(std::vector<LaserMount> lasers, LaserLimit rule, double max_age_s)
+LaserLimiter::LaserLimiter(const std::vector<LaserMount>& lasers, LaserLimit rule, double max_age_s)
     : rule_(rule), max_age_s_(max_age_s) {
   for (const LaserMount& mount : lasers) lasers_.emplace_back().mount = mount;
 }

@@ -25,7 +25,7 @@ namespace echoarc {
 /// |P - tx| + |P - rx|, with bearings from the midpoint of the sensors.
 class LaserLimiter {
  public:
-  LaserLimiter(std::vector<LaserMount> lasers, LaserLimit rule, double max_age_s);
+  LaserLimiter(const std::vector<LaserMount>& lasers, LaserLimit rule, double max_age_s);
 
   /// Why a scan was not taken.
   enum class Refusal : std::uint8_t { unknown_laser, bad_time, backwards };
