@@ -42,7 +42,7 @@ void print_pings(const Log& log, const SensingReport& sensing) {
   if (sensing.polls.polls > 0)
     fmt::print("  {} made of {}: {} unusable, {} out of step, {} late\n", counted(sensing.pings, "ping"),
                counted(sensing.polls.polls, "poll"), sensing.polls.bad_polls, sensing.polls.anomalies,
-               counted(sensing.polls.late_echoes, "echo"));
+               sensing.polls.late_echoes);
   if (sensing.scans > 0)
     fmt::print("  {} shortened to what {} saw nearer\n", counted(sensing.laser_limited, "reading"),
                counted(sensing.scans, "laser scan"));
