@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <cmath>
 
 #include "mapping/doi/providers.hpp"
+#include "mapping/doi/sort_by_key.hpp"
 
 namespace echoarc::doi {
 namespace {
@@ -25,8 +25,9 @@ void axis_lines(std::span<const LineCell> cells, Vec2 origin_cells, Vec2 outward
     const Vec2 offset = Vec2{c.cell.i + 0.5, c.cell.j + 0.5} - origin_cells;
     placed.push_back({static_cast<std::int64_t>(std::floor(dot(offset, across) + 0.5)), dot(offset, outward), c});
   }
-  std::ranges::sort(
-      placed, [](const Placed& a, const Placed& b) { return a.line != b.line ? a.line < b.line : a.along < b.along; });
+  sort_by_key(
+      placed, [](const Placed& p) { return p.line; },
+      [](const Placed& a, const Placed& b) { return a.along < b.along; });
   std::vector<LineCell> line;
   for (std::size_t k = 0; k < placed.size(); ++k) {
     line.push_back(placed[k].cell);

@@ -50,7 +50,17 @@ class Windows {
  public:
   Windows(std::span<const LineCell> cells, const WindowRule& rule)
       : rule_(rule), squares_((rule.size_cells + rule.stride_cells - 1) / rule.stride_cells) {
-    for (const LineCell& c : cells) by_square_[lattice_cell(c.cell, rule.stride_cells)].push_back(c);
+    std::vector<LineCell>* last = nullptr;  // neighbours mostly share their square
+    CellBox box;
+    for (const LineCell& c : cells) {
+      if (last == nullptr || !box.contains(c.cell)) {
+        const Cell square = lattice_cell(c.cell, rule.stride_cells);
+        const Cell low{square.i * rule.stride_cells, square.j * rule.stride_cells};
+        box = {low.i, low.j, low.i + rule.stride_cells, low.j + rule.stride_cells};
+        last = &by_square_[square];
+      }
+      last->push_back(c);
+    }
   }
   [[nodiscard]] std::int32_t squares() const { return squares_; }
   /// First lattice squares of all windows that hold a cell.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "mapping/doi/providers.hpp"
+#include "mapping/doi/sort_by_key.hpp"
 #include "mapping/doi/survivors.hpp"
 #include "support/v53_scene.hpp"
 
@@ -30,6 +32,17 @@ TEST(Spread, WeightsCountAsRepetitions) {
   EXPECT_NEAR(spread_of(weighted).larger, spread_of(repeated).larger, 1e-12);
   EXPECT_NEAR(spread_of(weighted).smaller, spread_of(repeated).smaller, 1e-12);
   EXPECT_NEAR(spread_of(weighted).across.rad(), spread_of(repeated).across.rad(), 1e-12);
+}
+
+TEST(SortByKey, IsASortWhetherKeysAreCloseOrFarApart) {
+  for (const std::int32_t apart : {1, 1'000'000}) {
+    std::vector<Cell> cells;
+    for (std::int32_t k = 0; k < 200; ++k) cells.push_back({k * 7919 % 31, (k * 104729 % 41 - 20) * apart});
+    std::vector<Cell> sorted = cells;
+    std::ranges::sort(sorted, [](Cell a, Cell b) { return a < b; });
+    sort_by_key(cells, [](Cell c) { return std::int64_t(c.j); }, [](Cell a, Cell b) { return a.i < b.i; });
+    EXPECT_EQ(cells, sorted);
+  }
 }
 
 using Lines = std::map<std::uint64_t, std::vector<Cell>>;
