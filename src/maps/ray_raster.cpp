@@ -55,9 +55,29 @@ class Walk {
     index_ += step_;
     find_next();
   }
+  /// Where the ray leaves the block of the cell.
+  [[nodiscard]] double t_out_of_block() const {
+    constexpr std::int32_t in_block = BlockMask::block_size - 1;
+    return t_leaving(step_ > 0 ? index_ | in_block : index_ & ~in_block);
+  }
+  /// To where the steps before t lead; they must not leave the block of the cell.
+  void advance_before(double t) {
+    if (axis_.d == 0.0) return;
+    constexpr std::int32_t in_block = BlockMask::block_size - 1;
+    const std::int32_t begin = step_ > 0 ? index_ : index_ & ~in_block;
+    const std::int32_t last = step_ > 0 ? index_ | in_block : index_;
+    auto index = static_cast<std::int32_t>(std::clamp(axis_.p + t * axis_.d, double(begin), double(last)));
+    while (index != index_ && t_leaving(index - step_) >= t) index -= step_;
+    while (t_leaving(index) < t) index += step_;
+    index_ = index;
+    find_next();
+  }
 
  private:
-  void find_next() { t_next_ = axis_.d != 0.0 ? (index_ + (step_ > 0 ? 1 : 0) - axis_.p) * per_d_ : infinity; }
+  [[nodiscard]] double t_leaving(std::int32_t index) const {
+    return axis_.d != 0.0 ? (index + (step_ > 0 ? 1 : 0) - axis_.p) * per_d_ : infinity;
+  }
+  void find_next() { t_next_ = t_leaving(index_); }
 
   Axis axis_;
   std::int32_t step_;
@@ -68,7 +88,15 @@ class Walk {
 
 }  // namespace
 
-std::span<const Cell> RayRaster::cells(Vec2 origin, Vec2 direction, double length_m, const CellBox& within) {
+BlockMask::BlockMask(const CellBox& box) {
+  if (box.empty()) return;
+  tiles_ = {box.i_begin >> tile_shift, box.j_begin >> tile_shift, ((box.i_end - 1) >> tile_shift) + 1,
+            ((box.j_end - 1) >> tile_shift) + 1};
+  words_.resize(std::size_t(tiles_.width()) * std::size_t(tiles_.height()));
+}
+
+std::span<const Cell> RayRaster::cells(Vec2 origin, Vec2 direction, double length_m, const CellBox& within,
+                                       const BlockMask* blocks) {
   cells_.clear();
   const double per_cell = 1.0 / geometry_.cell_m;
   const Vec2 p = per_cell * (origin - geometry_.origin);
@@ -87,7 +115,14 @@ std::span<const Cell> RayRaster::cells(Vec2 origin, Vec2 direction, double lengt
     if (within.contains(c)) cells_.push_back(c);
   };
   while (i.inside() && j.inside()) {
-    cells_.push_back({i.index(), j.index()});
+    if (blocks == nullptr || blocks->holds({i.index(), j.index()})) {
+      cells_.push_back({i.index(), j.index()});
+    } else {  // straight to the step out of the block
+      const double t = std::min(i.t_out_of_block(), j.t_out_of_block());
+      if (t > t_out) break;
+      i.advance_before(t);
+      j.advance_before(t);
+    }
     const double t = std::min(i.t_next(), j.t_next());
     if (t > t_out) break;
     const bool step_i = i.t_next() == t;

@@ -40,6 +40,8 @@ using CellSet = std::unordered_set<Cell, CellHash>;
 class RayLines {
  public:
   RayLines(const VoteGrid::Counts& counts, int threshold);
+  /// Of \p wanted alone, all of them at or above the threshold. Others may be left out.
+  RayLines(const VoteGrid::Counts& counts, int threshold, std::span<const LineCell> wanted);
   /// The span is valid until the next call.
   [[nodiscard]] std::span<const LineCell> along(Vec2 origin, Vec2 direction, double length_m);
 
@@ -47,6 +49,7 @@ class RayLines {
   const VoteGrid::Counts& counts_;
   int threshold_;
   CellBox within_;
+  BlockMask blocks_;
   RayRaster raster_;
   std::vector<LineCell> line_;
 };

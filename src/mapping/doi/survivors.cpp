@@ -28,7 +28,7 @@ WindowRule window_rule(const DirectionalMaximumOptions& options) {
 class Run {
  public:
   Run(const VoteGrid::Counts& counts, const DoiHistory& history, const DirectionalMaximumOptions& options)
-      : counts_(counts), history_(history), options_(options), rays_(counts, options.threshold), processor_(options) {}
+      : counts_(counts), history_(history), options_(options), processor_(options) {}
 
   [[nodiscard]] std::vector<Cell> survivors() {
     const DirectionOfInterest doi = resolved();
@@ -58,21 +58,30 @@ class Run {
       case DirectionOfInterest::axis:
         // Lines are counted from the centre of cell (0, 0), so that an axis of the grid gives rows or columns.
         return axis_lines(cells_at_threshold(counts_, options_.threshold), {0.5, 0.5}, unit(options_.axis), visit);
-      case DirectionOfInterest::los: return sight_lines(rays_, history_.sights(), visit);
-      case DirectionOfInterest::path_normal: return across_path(named_sides(history_.stops()), true, visit);
-      case DirectionOfInterest::followed_wall: return towards_followed_wall(visit);
+      case DirectionOfInterest::los: {
+        RayLines rays(counts_, options_.threshold);
+        return sight_lines(rays, history_.sights(), visit);
+      }
+      case DirectionOfInterest::path_normal: {
+        RayLines rays(counts_, options_.threshold);
+        return across_path(rays, named_sides(history_.stops()), true, visit);
+      }
+      case DirectionOfInterest::followed_wall: {
+        RayLines rays(counts_, options_.threshold);
+        return towards_followed_wall(rays, visit);
+      }
       case DirectionOfInterest::pca:
       case DirectionOfInterest::polar:
       case DirectionOfInterest::automatic: return across_spread(visit);
     }
   }
 
-  void across_path(const std::vector<WallSide>& sides, bool both_if_unknown, const LineVisitor& visit) {
-    path_lines(rays_, history_, sides, both_if_unknown, options_.cell_m, options_.tangent_window_m, visit);
+  void across_path(RayLines& rays, const std::vector<WallSide>& sides, bool both_if_unknown, const LineVisitor& visit) {
+    path_lines(rays, history_, sides, both_if_unknown, options_.cell_m, options_.tangent_window_m, visit);
   }
 
-  void towards_followed_wall(const LineVisitor& visit) {
-    across_path(followed_sides(history_.stops(), options_.wall_switch_stops), false, visit);
+  void towards_followed_wall(RayLines& rays, const LineVisitor& visit) {
+    across_path(rays, followed_sides(history_.stops(), options_.wall_switch_stops), false, visit);
   }
 
   /// Windows with a clear direction by their spread; the cells of no such window along the way to the followed wall.
@@ -82,7 +91,9 @@ class Run {
     if (covered.size() == cells.size()) return;
     constexpr std::uint64_t fallback_lines = std::uint64_t{1} << 63;
     std::vector<LineCell> rest;
-    towards_followed_wall([&](std::uint64_t line, std::span<const LineCell> on_line) {
+    std::ranges::copy_if(cells, std::back_inserter(rest), [&](const LineCell& c) { return !covered.contains(c.cell); });
+    RayLines rays(counts_, options_.threshold, rest);
+    towards_followed_wall(rays, [&](std::uint64_t line, std::span<const LineCell> on_line) {
       rest.clear();
       std::ranges::copy_if(on_line, std::back_inserter(rest),
                            [&](const LineCell& c) { return !covered.contains(c.cell); });
@@ -92,8 +103,9 @@ class Run {
 
   [[nodiscard]] std::vector<Cell> from_vantage_points() {
     std::vector<std::vector<Cell>> views;
+    RayLines rays(counts_, options_.threshold);
     for (const Vec2 point : vantage_points(history_.path(), options_.polar_spacing_m)) {
-      polar_lines(rays_, point, options_.polar_step, history_.range_max_m(), processor_.visitor());
+      polar_lines(rays, point, options_.polar_step, history_.range_max_m(), processor_.visitor());
       views.push_back(processor_.take());
     }
     if (options_.polar_fusion == PolarFusion::support) return supported(views, support_reach_cells);
@@ -106,7 +118,6 @@ class Run {
   const VoteGrid::Counts& counts_;
   const DoiHistory& history_;
   const DirectionalMaximumOptions& options_;
-  RayLines rays_;
   LineProcessor processor_;
 };
 

@@ -82,5 +82,40 @@ RC_GTEST_PROP(RayRasterProperty, FindsTheCellsTheSegmentCrossesInOrder, (std::ui
   RC_ASSERT(fast == crossed_cells(origin, direction, length_m, box, geometry));
 }
 
+/// Rays anywhere, and such as run through corners and along edges.
+RC_GTEST_PROP(RayRasterProperty, LeavesOutOnlyWhatABlockMaskLeavesOut, (std::uint64_t seed)) {
+  Rng rng(seed);
+  const CellBox box{-int(rng.below(150)), -int(rng.below(150)), 1 + int(rng.below(150)), 1 + int(rng.below(150))};
+  BlockMask blocks(box);
+  for (std::uint64_t k = rng.below(40); k > 0; --k)
+    blocks.mark({box.i_begin + int(rng.below(std::uint64_t(box.width()))),
+                 box.j_begin + int(rng.below(std::uint64_t(box.height())))});
+  const bool on_lattice = rng.below(2) == 0;
+  const auto place = [&] { return on_lattice ? 0.5 * double(rng.below(600)) - 150.0 : rng.uniform(-150, 150); };
+  const double angle_deg = on_lattice ? 45.0 * double(rng.below(8)) : rng.uniform(-180, 180);
+  const Vec2 origin{place(), place()};
+  const double length_m = rng.uniform(0.0, 300.0);
+  const auto wanted = [&](const BlockMask* mask) {
+    RayRaster raster(unit_cells);
+    Cells found;
+    for (const Cell c : raster.cells(origin, unit(degrees(angle_deg)), length_m, box, mask))
+      if (blocks.holds(c)) found.push_back(c);
+    return found;
+  };
+  RC_ASSERT(wanted(&blocks) == wanted(nullptr));
+}
+
+TEST(BlockMask, HoldsTheBlocksOfMarkedCells) {
+  BlockMask blocks({-10, -10, 100, 100});
+  blocks.mark({-1, 70});
+  EXPECT_TRUE(blocks.holds({-8, 64}));
+  EXPECT_TRUE(blocks.holds({-1, 71}));
+  EXPECT_FALSE(blocks.holds({0, 70}));
+  EXPECT_FALSE(blocks.holds({-9, 70}));
+  EXPECT_FALSE(blocks.holds({-1, 72}));
+  EXPECT_FALSE(blocks.holds({1000, 70})) << "outside the box";
+  EXPECT_FALSE(BlockMask().holds({0, 0}));
+}
+
 }  // namespace
 }  // namespace echoarc
