@@ -52,6 +52,12 @@ struct TileRow {
   std::int32_t count;
 };
 
+/// Room for what depends on a cell's column alone: two floats for each column of the tiles, and `margin` more.
+struct ColumnScratch {
+  static constexpr std::size_t margin = 128;
+  float* values;
+};
+
 /// Where a beam stands in the grid. Cell (i, j) has its centre at offset_m + (i - apex_i, j - apex_j) * cell_m from the
 /// apex; counting from the apex keeps single precision exact enough wherever in the world the robot is.
 struct BeamFrame {
@@ -109,7 +115,8 @@ struct EvidenceKernels {
   /// All columns of the runs lie in *begin <= i < *end, and both ends are reached; *begin > *end without any.
   void (*bounds)(const Runs& runs, std::int32_t* begin, std::int32_t* end);
   void (*add_constant)(const TileRow& row, const Runs& runs, std::int16_t increment);
-  void (*add_fixed)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const FixedPolynomial& increment);
+  void (*add_fixed)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const FixedPolynomial& increment,
+                    ColumnScratch scratch);
   void (*add_angular)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment);
   void (*add_band)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band);
 };

@@ -60,6 +60,9 @@ class BeamView {
   [[nodiscard]] Place place(const Floats& dx, const Dy& dy) const {
     return {axis_x_ * dy - axis_y_ * dx, dx * dx + dy * dy};
   }
+  /// The same in two parts: the place is {row.across - column.across, column.squared + row.squared}.
+  [[nodiscard]] Place row_part(float dy) const { return {repeated(axis_x_ * dy), repeated(dy * dy)}; }
+  [[nodiscard]] Place column_part(const Floats& dx) const { return {axis_y_ * dx, dx * dx}; }
 
  private:
   std::int32_t apex_i_;
@@ -103,25 +106,65 @@ void add_angular(const TileRow& row, const Runs& runs, const BeamFrame& beam, co
             [&](const Place& low, const Place& high) { return rounded(of(low), of(high)); });
 }
 
+/// What each column that runs span gives to the places of its cells. Blocks may begin before a run and end after it.
+class ColumnParts {
+ public:
+  ColumnParts(const Runs& runs, const BeamView& view, ColumnScratch scratch) {
+    std::int32_t begin = 0;
+    std::int32_t end = 0;
+    bounds(runs, &begin, &end);
+    const std::int32_t count = end > begin ? (end - begin + 3 * block_size) & ~(block_size - 1) : 0;
+    first_ = begin - block_size;
+    across_ = scratch.values;
+    squared_ = scratch.values + count;
+    for (std::int32_t k = 0; k < count; k += block_size / 2) {
+      const Place part = view.column_part(view.dx(first_ + k));
+      store(part.across, across_ + k);
+      store(part.squared, squared_ + k);
+    }
+  }
+  /// Of the columns i ... i + 7 in a row.
+  [[nodiscard]] Place place(std::int32_t i, const Place& row_part) const {
+    return {row_part.across - load<Floats>(across_ + (i - first_)),
+            load<Floats>(squared_ + (i - first_)) + row_part.squared};
+  }
+
+ private:
+  std::int32_t first_;
+  float* across_;
+  float* squared_;
+};
+
 template <int terms>
-void add_fixed_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const FixedPolynomial& increment) {
+void add_fixed_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const FixedPolynomial& increment,
+                     ColumnScratch scratch) {
+  const BeamView view(beam, increment.across_scale);
+  const ColumnParts columns(runs, view, scratch);
   const auto argument = [&](const Place& place) { return bent_sine_squared(place, increment.bend) + fixed_begin; };
   Block c[terms];
   for (int k = 0; k < terms; ++k) c[k] = repeated(increment.c[k]);
   const Block unit = repeated(increment.unit);
-  add_cells(row, runs, BeamView(beam, increment.across_scale), [&](const Place& low, const Place& high) {
-    const Block z = rounded(argument(low), argument(high));
-    Block sum = c[terms - 1];
-    for (int k = terms - 2; k >= 0; --k) sum = fixed_product(sum, z) + c[k];
-    return fixed_product(sum, unit);
-  });
+  for_each_segment(row, runs,
+                   [&](std::int16_t* cells, std::int32_t i, std::int32_t j, std::int32_t begin, std::int32_t end) {
+                     const Place row_part = view.row_part(view.dy(j));
+                     add_blocks(cells, begin, end, [&](std::int32_t l) {
+                       const Place low = columns.place(i + l, row_part);
+                       const Place high = columns.place(i + l + block_size / 2, row_part);
+                       const Block z = rounded(argument(low), argument(high));
+                       Block sum = c[terms - 1];
+                       for (int k = terms - 2; k >= 0; --k) sum = fixed_product(sum, z) + c[k];
+                       return fixed_product(sum, unit);
+                     });
+                   });
 }
 
-void add_fixed(const TileRow& row, const Runs& runs, const BeamFrame& beam, const FixedPolynomial& increment) {
+void add_fixed(const TileRow& row, const Runs& runs, const BeamFrame& beam, const FixedPolynomial& increment,
+               ColumnScratch scratch) {
+  if (runs.count == 0) return;
   if (increment.terms <= 5)  // the default beam
-    add_fixed_terms<5>(row, runs, beam, increment);
+    add_fixed_terms<5>(row, runs, beam, increment, scratch);
   else
-    add_fixed_terms<max_fixed_terms>(row, runs, beam, increment);
+    add_fixed_terms<max_fixed_terms>(row, runs, beam, increment, scratch);
 }
 
 /// Cells of many short runs side by side, so that the model is worked out for full vectors of them.

@@ -203,15 +203,17 @@ struct FreeAdder {
   const kernels::TileRow& tiles;
   const kernels::Runs& runs;
   const kernels::BeamFrame& frame;
+  kernels::ColumnScratch scratch;
   const kernels::EvidenceKernels& kernels = kernels::evidence_kernels();
 
   void operator()(std::monostate) const {}
   void operator()(std::int16_t increment) const { kernels.add_constant(tiles, runs, increment); }
-  void operator()(const kernels::FixedPolynomial& p) const { kernels.add_fixed(tiles, runs, frame, p); }
+  void operator()(const kernels::FixedPolynomial& p) const { kernels.add_fixed(tiles, runs, frame, p, scratch); }
   void operator()(const kernels::Polynomial& p) const { kernels.add_angular(tiles, runs, frame, p); }
 };
 
-void apply_rows(const UpdatePlan& plan, const UpdateGroup& group, const kernels::TileRow& tiles) {
+void apply_rows(const UpdatePlan& plan, const UpdateGroup& group, const kernels::TileRow& tiles,
+                kernels::ColumnScratch scratch) {
   const PlannedRows& rows = plan.rows;
   const PlannedBeam& beam = plan.beams[group.beam];
   const auto left_band = runs_of(group, rows.begin, rows.free_begin);
@@ -223,7 +225,7 @@ void apply_rows(const UpdatePlan& plan, const UpdateGroup& group, const kernels:
   const std::int32_t apex_j = beam.frame.apex_j;
   const auto beside_near = within_rows(right_free, apex_j - beam.near_rows, apex_j + beam.near_rows);
   for (const kernels::Runs& runs : {left_free, beside_near})
-    std::visit(FreeAdder{tiles, runs, beam.frame}, beam.fitted->free);
+    std::visit(FreeAdder{tiles, runs, beam.frame, scratch}, beam.fitted->free);
   if (beam.frame.range_m > 0.0F)
     for (const kernels::Runs& runs : {left_band, right_band})
       kernels::evidence_kernels().add_band(tiles, runs, beam.frame, *beam.fitted->band);
@@ -235,12 +237,15 @@ void apply_stripe(const UpdatePlan& plan, EvidenceGrid::Map& grid, std::size_t s
   constexpr int highest = std::numeric_limits<std::int16_t>::max();
   constexpr int lowest = std::numeric_limits<std::int16_t>::min();
   std::vector<std::int16_t*> tiles;
+  std::vector<float> scratch;
   for (const UpdateGroup& group : plan.groups) {
     if (static_cast<std::uint32_t>(group.tile_j()) % stripes != stripe) continue;
     tiles.clear();
     for (std::int32_t ti = group.tiles.begin; ti < group.tiles.end; ++ti)
       tiles.push_back(grid.find({ti, group.tile_j()})->data());
-    if (group.rows.size() > 0) apply_rows(plan, group, {tiles.data(), group.tiles.begin, std::int32_t(tiles.size())});
+    scratch.resize(std::max(scratch.size(), 2 * tile_size * tiles.size() + kernels::ColumnScratch::margin));
+    if (group.rows.size() > 0)
+      apply_rows(plan, group, {tiles.data(), group.tiles.begin, std::int32_t(tiles.size())}, {scratch.data()});
     for (std::size_t k = group.spots.begin; k < group.spots.end; ++k) {
       std::int16_t& cell = grid.at(plan.spots[k].cell);
       cell = static_cast<std::int16_t>(std::clamp(cell + plan.spots[k].increment, lowest, highest));

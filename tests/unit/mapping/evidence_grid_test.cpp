@@ -257,7 +257,8 @@ std::vector<std::int32_t> work_of(const kernels::EvidenceKernels& kernels, std::
   const auto runs = rows.runs(1, 2);
   kernels.add_constant(row, runs, std::int16_t(seed % 2 == 0 ? 4000 : -4000));
   kernels.add_constant(row, rows.runs(3, 4), std::get<std::int16_t>(uniform.free));
-  kernels.add_fixed(row, runs, frame, std::get<kernels::FixedPolynomial>(fixed.free));
+  std::vector<float> scratch(std::size_t{2} * 256 + kernels::ColumnScratch::margin);
+  kernels.add_fixed(row, runs, frame, std::get<kernels::FixedPolynomial>(fixed.free), {scratch.data()});
   kernels.add_angular(row, runs, frame, *floating);
   for (const FittedBeam* beam : {&uniform, &fixed}) {
     kernels.add_band(row, rows.runs(0, 1), frame, *beam->band);
