@@ -30,7 +30,7 @@ class ArcHash {
  public:
   static constexpr double reach_m = 1e15;  ///< a light month; larger boxes would meet more cells than they should
 
-  explicit ArcHash(double cell_m = 0.25) : cell_m_(cell_m) {}
+  explicit ArcHash(double cell_m = 1.0) : cell_m_(cell_m) {}
 
   /// Requires low <= high and no coordinate beyond `reach_m`.
   void insert(ArcSlot slot, const Box& box);
