@@ -93,9 +93,10 @@ inline Floats square_root(const Floats& x) {
 
 #endif
 
-/// As many zeros as a tile's row has cells, then as many -1 (all bits): from 64 - k on, the cells l >= k of a row.
+/// As many zeros as a tile's row has cells, then as many -1 (all bits), then as many zeros: from 64 - k on, the cells
+/// l >= k of a row; from 128 - k on, the cells l < k.
 struct Steps {
-  alignas(32) std::int16_t values[2 * tile_size]{};
+  alignas(32) std::int16_t values[3 * tile_size]{};
 
   constexpr Steps() {
     for (std::int32_t k = tile_size; k < 2 * tile_size; ++k) values[k] = -1;
@@ -107,13 +108,13 @@ constexpr Steps steps;
 class Inside {
  public:
   Inside(std::int32_t begin, std::int32_t end)
-      : from_begin_(steps.values + tile_size - begin), from_end_(steps.values + tile_size - end) {}
+      : from_begin_(steps.values + tile_size - begin), before_end_(steps.values + 2 * tile_size - end) {}
   /// Of the cells l ... l + 15.
-  [[nodiscard]] Block block(std::int32_t l) const { return ~load<Block>(from_end_ + l) & load<Block>(from_begin_ + l); }
+  [[nodiscard]] Block block(std::int32_t l) const { return load<Block>(before_end_ + l) & load<Block>(from_begin_ + l); }
 
  private:
   const std::int16_t* from_begin_;
-  const std::int16_t* from_end_;
+  const std::int16_t* before_end_;
 };
 
 /// Calls `segment(cells, i, j, begin, end)` for every tile that a run meets: `cells` points to the tile's part of the

@@ -86,7 +86,7 @@ inline void add_cells(const TileRow& row, const Runs& runs, const BeamView& view
 }
 
 /// y = s / (1 + bend s) of s = sin^2 theta.
-inline Floats bent_sine_squared(const Place& place, float bend) {
+inline Floats bent_sine_squared(const Place& place, const Floats& bend) {
   const Floats across_squared = place.across * place.across;
   return across_squared / (place.squared + bend * across_squared);
 }
@@ -99,8 +99,9 @@ inline Floats value(const Polynomial& polynomial, const Floats& x) {
 }
 
 void add_angular(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment) {
+  const Floats bend = repeated(increment.bend);
   const auto of = [&](const Place& place) {
-    return value<max_terms>(increment, bent_sine_squared(place, increment.bend));
+    return value<max_terms>(increment, bent_sine_squared(place, bend));
   };
   add_cells(row, runs, BeamView(beam, 1.0F),
             [&](const Place& low, const Place& high) { return rounded(of(low), of(high)); });
@@ -140,7 +141,8 @@ void add_fixed_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam
                      ColumnScratch scratch) {
   const BeamView view(beam, increment.across_scale);
   const ColumnParts columns(runs, view, scratch);
-  const auto argument = [&](const Place& place) { return bent_sine_squared(place, increment.bend) + fixed_begin; };
+  const Floats bend = repeated(increment.bend);
+  const auto argument = [&](const Place& place) { return bent_sine_squared(place, bend) + fixed_begin; };
   Block c[terms];
   for (int k = 0; k < terms; ++k) c[k] = repeated(increment.c[k]);
   const Block unit = repeated(increment.unit);
@@ -231,11 +233,12 @@ void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam,
   const BeamView view(beam, 1.0F);
   const float cell_m = beam.cell_m;
   const float range_m = beam.range_m;
+  const Floats bend = repeated(band.angular.bend);
   const auto angular_factor = [&](const Place& place) {
     if constexpr (angular_terms == 1)
       return repeated(band.angular.c[0]);
     else
-      return value<angular_terms>(band.angular, bent_sine_squared(place, band.angular.bend));
+      return value<angular_terms>(band.angular, bent_sine_squared(place, bend));
   };
   const auto of = [&](const Place& place) {
     const Floats error = square_root(place.squared) * cell_m - range_m;
