@@ -118,7 +118,9 @@ struct EvidenceKernels {
   void (*add_fixed)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const FixedPolynomial& increment,
                     ColumnScratch scratch);
   void (*add_angular)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment);
-  void (*add_band)(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band);
+  /// The band left of what is free and right of it at once: the runs of both are mostly short.
+  void (*add_band)(const TileRow& row, const Runs& left, const Runs& right, const BeamFrame& beam,
+                   const BandModel& band);
 };
 
 /// The kernels for this processor, chosen once. All of them give the same bytes.

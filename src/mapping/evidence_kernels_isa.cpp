@@ -100,9 +100,7 @@ inline Floats value(const Polynomial& polynomial, const Floats& x) {
 
 void add_angular(const TileRow& row, const Runs& runs, const BeamFrame& beam, const Polynomial& increment) {
   const Floats bend = repeated(increment.bend);
-  const auto of = [&](const Place& place) {
-    return value<max_terms>(increment, bent_sine_squared(place, bend));
-  };
+  const auto of = [&](const Place& place) { return value<max_terms>(increment, bent_sine_squared(place, bend)); };
   add_cells(row, runs, BeamView(beam, 1.0F),
             [&](const Place& low, const Place& high) { return rounded(of(low), of(high)); });
 }
@@ -197,7 +195,8 @@ struct ScatteredCells {
 
 /// Adds `change(low, high)`, of the places of the halves of a block, to the cells of runs that are mostly short.
 template <class Change>
-inline void add_scattered(const TileRow& row, const Runs& runs, const BeamView& view, Change&& change) {
+inline void add_scattered(const TileRow& row, const Runs& left, const Runs& right, const BeamView& view,
+                          Change&& change) {
   constexpr std::int32_t chunk = block_size / 2;
   constexpr Ints lanes = {0, 1, 2, 3, 4, 5, 6, 7};
   ScatteredCells s;
@@ -212,24 +211,26 @@ inline void add_scattered(const TileRow& row, const Runs& runs, const BeamView& 
     s.add(piece_count);
     cell_count = piece_count = 0;
   };
-  for_each_segment(row, runs,
-                   [&](std::int16_t* cells, std::int32_t i, std::int32_t j, std::int32_t begin, std::int32_t end) {
-                     for (std::int32_t l = begin; l < end; l += chunk) {
-                       const std::int32_t first = l < tile_size - block_size ? l : tile_size - block_size;
-                       const std::int32_t to = end - l < chunk ? end : l + chunk;
-                       s.pieces[piece_count++] = {cells + first, std::int16_t(s.slack + cell_count + first - l),
-                                                  std::int16_t(l - first), std::int16_t(to - first)};
-                       store(i + l + lanes, s.i + cell_count);
-                       store(j + Ints{}, s.j + cell_count);
-                       cell_count += to - l;
-                       if (cell_count > s.capacity - chunk) add_taken();
-                     }
-                   });
+  const auto take = [&](std::int16_t* cells, std::int32_t i, std::int32_t j, std::int32_t begin, std::int32_t end) {
+    for (std::int32_t l = begin; l < end; l += chunk) {
+      const std::int32_t first = l < tile_size - block_size ? l : tile_size - block_size;
+      const std::int32_t to = end - l < chunk ? end : l + chunk;
+      s.pieces[piece_count++] = {cells + first, std::int16_t(s.slack + cell_count + first - l), std::int16_t(l - first),
+                                 std::int16_t(to - first)};
+      store(i + l + lanes, s.i + cell_count);
+      store(j + Ints{}, s.j + cell_count);
+      cell_count += to - l;
+      if (cell_count > s.capacity - chunk) add_taken();
+    }
+  };
+  const Runs* const both[] = {&left, &right};
+  for (const Runs* runs : both) for_each_segment(row, *runs, take);
   add_taken();
 }
 
 template <int angular_terms, int radial_terms, int logit_terms>
-void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
+void add_band_terms(const TileRow& row, const Runs& left, const Runs& right, const BeamFrame& beam,
+                    const BandModel& band) {
   const BeamView view(beam, 1.0F);
   const float cell_m = beam.cell_m;
   const float range_m = beam.range_m;
@@ -245,17 +246,18 @@ void add_band_terms(const TileRow& row, const Runs& runs, const BeamFrame& beam,
     const Floats height = value<radial_terms>(band.radial, error * error) * angular_factor(place);
     return height * value<logit_terms>(band.logit, height * height);
   };
-  add_scattered(row, runs, view, [&](const Place& low, const Place& high) { return rounded(of(low), of(high)); });
+  add_scattered(row, left, right, view,
+                [&](const Place& low, const Place& high) { return rounded(of(low), of(high)); });
 }
 
-void add_band(const TileRow& row, const Runs& runs, const BeamFrame& beam, const BandModel& band) {
+void add_band(const TileRow& row, const Runs& left, const Runs& right, const BeamFrame& beam, const BandModel& band) {
   const bool usual = band.radial.terms <= 7 && band.logit.terms <= 5;  // up to the default certainty
   if (usual && band.angular.terms == 1)                                // no profile: the factor is 1
-    add_band_terms<1, 7, 5>(row, runs, beam, band);
+    add_band_terms<1, 7, 5>(row, left, right, beam, band);
   else if (usual && band.angular.terms <= 6)
-    add_band_terms<6, 7, 5>(row, runs, beam, band);
+    add_band_terms<6, 7, 5>(row, left, right, beam, band);
   else
-    add_band_terms<max_terms, max_terms, max_terms>(row, runs, beam, band);
+    add_band_terms<max_terms, max_terms, max_terms>(row, left, right, beam, band);
 }
 
 }  // namespace

@@ -227,8 +227,7 @@ void apply_rows(const UpdatePlan& plan, const UpdateGroup& group, const kernels:
   for (const kernels::Runs& runs : {left_free, beside_near})
     std::visit(FreeAdder{tiles, runs, beam.frame, scratch}, beam.fitted->free);
   if (beam.frame.range_m > 0.0F)
-    for (const kernels::Runs& runs : {left_band, right_band})
-      kernels::evidence_kernels().add_band(tiles, runs, beam.frame, *beam.fitted->band);
+    kernels::evidence_kernels().add_band(tiles, left_band, right_band, beam.frame, *beam.fitted->band);
 }
 
 }  // namespace

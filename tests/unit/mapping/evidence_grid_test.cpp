@@ -260,10 +260,8 @@ std::vector<std::int32_t> work_of(const kernels::EvidenceKernels& kernels, std::
   std::vector<float> scratch(std::size_t{2} * 256 + kernels::ColumnScratch::margin);
   kernels.add_fixed(row, runs, frame, std::get<kernels::FixedPolynomial>(fixed.free), {scratch.data()});
   kernels.add_angular(row, runs, frame, *floating);
-  for (const FittedBeam* beam : {&uniform, &fixed}) {
-    kernels.add_band(row, rows.runs(0, 1), frame, *beam->band);
-    kernels.add_band(row, rows.runs(4, 5), frame, *beam->band);
-  }
+  for (const FittedBeam* beam : {&uniform, &fixed})
+    kernels.add_band(row, rows.runs(0, 1), rows.runs(4, 5), frame, *beam->band);
   std::vector<std::int32_t> work(cells.begin(), cells.end());
   work.resize(cells.size() + 2);
   kernels.bounds(runs, &work[cells.size()], &work[cells.size() + 1]);
