@@ -108,9 +108,11 @@ constexpr Steps steps;
 class Inside {
  public:
   Inside(std::int32_t begin, std::int32_t end)
-      : from_begin_(steps.values + tile_size - begin), before_end_(steps.values + 2 * tile_size - end) {}
+      : from_begin_(steps.values + tile_size - begin), before_end_(steps.values + tile_size + (tile_size - end)) {}
   /// Of the cells l ... l + 15.
-  [[nodiscard]] Block block(std::int32_t l) const { return load<Block>(before_end_ + l) & load<Block>(from_begin_ + l); }
+  [[nodiscard]] Block block(std::int32_t l) const {
+    return load<Block>(before_end_ + l) & load<Block>(from_begin_ + l);
+  }
 
  private:
   const std::int16_t* from_begin_;

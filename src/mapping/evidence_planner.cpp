@@ -242,7 +242,8 @@ void apply_stripe(const UpdatePlan& plan, EvidenceGrid::Map& grid, std::size_t s
     tiles.clear();
     for (std::int32_t ti = group.tiles.begin; ti < group.tiles.end; ++ti)
       tiles.push_back(grid.find({ti, group.tile_j()})->data());
-    scratch.resize(std::max(scratch.size(), 2 * tile_size * tiles.size() + kernels::ColumnScratch::margin));
+    scratch.resize(
+        std::max(scratch.size(), std::size_t{2} * tile_size * tiles.size() + kernels::ColumnScratch::margin));
     if (group.rows.size() > 0)
       apply_rows(plan, group, {tiles.data(), group.tiles.begin, std::int32_t(tiles.size())}, {scratch.data()});
     for (std::size_t k = group.spots.begin; k < group.spots.end; ++k) {
