@@ -132,6 +132,7 @@ CellSet window_lines(std::span<const LineCell> cells, const GridGeometry& geomet
   const Windows windows(cells, rule);
   const OutwardDirections outward(sights, geometry, rule.stride_cells);
   CellSet covered;
+  covered.reserve(cells.size());
   std::vector<LineCell> inside;
   std::uint64_t first_line = 0;
   for (const Cell window : windows.all()) {
