@@ -27,9 +27,9 @@ bool counts(const Direction& a, const Direction& b) {
 /// Directions between the ends of an arc, in order.
 class Fan {
  public:
-  explicit Fan(const CarvableArc& arc) : begin_(arc.begin()), end_(arc.end()) {}
+  explicit Fan(const CircleOutline& arc) : arc_(arc) {}
 
-  [[nodiscard]] bool holds(Vec2 v) const { return cross(begin_, v) > 0.0 && cross(v, end_) > 0.0; }
+  [[nodiscard]] bool holds(Vec2 v) const { return arc_.holds(v); }
   /// A direction of any length.
   void add(Vec2 v) {
     if (!holds(v)) return;
@@ -41,8 +41,7 @@ class Fan {
   [[nodiscard]] std::span<const Vec2> inner() const { return {inner_.data(), count_}; }
 
  private:
-  Vec2 begin_;
-  Vec2 end_;
+  CircleOutline arc_;
   std::array<Vec2, 6> inner_;
   std::size_t count_ = 0;
 };
@@ -51,7 +50,7 @@ class Fan {
 struct Scene {
   Scene(const CarvableArc& older, const FreeSector& newer)
       : sector(newer),
-        fan(older),
+        fan(older.outline()),
         offset(older.arc().centre() - newer.arc().centre()),
         radius_m(older.arc().range_m()),
         first(offset + radius_m * older.begin()),
@@ -65,12 +64,6 @@ struct Scene {
   Vec2 last;
 };
 
-/// Whether the whole arc lies at or beyond the line through the newer centre whose side `inwards` F is on.
-bool beyond_edge(const Scene& scene, Vec2 inwards) {
-  if (dot(inwards, scene.first) > 0.0 || dot(inwards, scene.last) > 0.0) return false;
-  return !scene.fan.holds(inwards) || dot(inwards, scene.offset) + scene.radius_m <= 0.0;
-}
-
 /// Whether the whole arc lies at or beyond the circle that bounds F.
 bool beyond_front(const Scene& scene) {
   const double reach2 = scene.sector.reach_m() * scene.sector.reach_m();
@@ -78,13 +71,6 @@ bool beyond_front(const Scene& scene) {
   if (!scene.fan.holds(-scene.offset)) return true;  // the distance has no minimum between the ends
   const double nearest = std::sqrt(squared_norm(scene.offset)) - scene.radius_m;
   return nearest * nearest >= reach2;
-}
-
-/// F is convex below half a turn: an arc beyond one of its sides does not meet it.
-bool misses(const Scene& scene) {
-  if (beyond_front(scene)) return true;
-  return beyond_edge(scene, perpendicular(scene.sector.low_edge())) ||
-         beyond_edge(scene, -perpendicular(scene.sector.high_edge()));
 }
 
 /// Where the older circle meets the straight line along an edge: cross(edge, offset + r v) = 0.
@@ -136,8 +122,9 @@ Angle parameter(const CarvableArc& older, const Direction& direction) {
 
 Carving carve_circle(const CarvableArc& older, const FreeSector& newer) {
   Carving carving{CarveOutcome::unchanged, older.arc().t_begin(), older.arc().t_end()};
+  if (newer.leaves_aside(older.outline())) return carving;
   Scene scene(older, newer);
-  if (misses(scene)) return carving;
+  if (beyond_front(scene)) return carving;
   add_edge(scene, newer.low_edge());
   add_edge(scene, newer.high_edge());
   add_front(scene);

@@ -21,8 +21,16 @@ bool is_beam(Angle beam_width) {
 void Carver::carve(const ArcHistory& history, const Arc& newer, const ArcSource& by) {
   const FreeSector sector(newer, guard_m_);
   history.unordered_candidates(sector.bounds(), candidates_);  // each is carved for itself
-  for (const ArcSlot slot : candidates_)
-    if (!remains_[slot].dead) apply(remains_[slot], sector, by);
+  for (const ArcSlot slot : candidates_) {
+    if (is_spared(outlines_[slot], sector)) continue;
+    apply(remains_[slot], sector, by);
+    trace_outline(slot);
+  }
+}
+
+void Carver::trace_outline(ArcSlot slot) {
+  const Remains& remains = remains_[slot];
+  outlines_[slot] = {remains.left.outline(), remains.arc().is_circular(), remains.dead};
 }
 
 void Carver::apply(Remains& older, const FreeSector& newer, const ArcSource& by) {
@@ -46,9 +54,13 @@ void Carver::apply(Remains& older, const FreeSector& newer, const ArcSource& by)
 }
 
 void Carver::admit(const ArcHistory& history, ArcSlot slot) {
-  if (slot >= remains_.size()) remains_.resize(slot + 1);
+  if (slot >= remains_.size()) {
+    remains_.resize(slot + 1);
+    outlines_.resize(slot + 1);
+  }
   const ArcSource& own = history.source(slot);
   remains_[slot] = {CarvableArc(history.arc(slot)), history.box(slot), own, own, own, false};
+  trace_outline(slot);
 }
 
 std::vector<Tally> Carver::tallies() const {
@@ -82,6 +94,7 @@ bool Carver::restore(ByteReader& in, ArcSlot slot) {
   remains.dead = in.get<std::uint8_t>() != 0;
   if (!in.ok() || !(begin >= remains.arc().t_begin() && begin < end && end <= remains.arc().t_end())) return false;
   remains.left.set_limits(begin, end);
+  trace_outline(slot);
   return true;
 }
 

@@ -62,10 +62,24 @@ class Carver {
   void restore_counts(ByteReader& in) { counts_ = in.get<CarvingCounts>(); }
 
  private:
+  /// What decides most pairs, apart from the rest: a cache line.
+  struct Outline {
+    CircleOutline arc;
+    bool circular = false;
+    bool dead = false;
+  };
+
+  /// Whether carving the arc changes nothing, as far as that is known at once.
+  [[nodiscard]] static bool is_spared(const Outline& older, const FreeSector& newer) {
+    return older.dead || (older.circular && newer.arc().is_circular() && newer.leaves_aside(older.arc));
+  }
   void apply(Remains& older, const FreeSector& newer, const ArcSource& by);
+  /// After every change of what is left.
+  void trace_outline(ArcSlot slot);
 
   double guard_m_;
-  std::vector<Remains> remains_;  // by slot
+  std::vector<Remains> remains_;   // by slot
+  std::vector<Outline> outlines_;  // by slot
   CarvingCounts counts_;
   std::vector<ArcSlot> candidates_;  // scratch
 };

@@ -9,6 +9,17 @@
 
 namespace echoarc {
 
+/// A circular arc in few numbers, to tell quickly that a free sector does not meet it.
+struct CircleOutline {
+  Vec2 centre;
+  Vec2 begin;  ///< unit vectors from the centre to the arc's ends
+  Vec2 end;
+  double radius_m = 0.0;
+
+  /// Whether a direction from the centre lies between the ends; of any length.
+  [[nodiscard]] bool holds(Vec2 v) const { return cross(begin, v) > 0.0 && cross(v, end) > 0.0; }
+};
+
 /// The space between a sensor and its echo, in which nothing answered ([Silver04] eq. 3.2):
 ///
 ///     F = { P : half path(P) < r - guard  and  |bearing of P from the arc's centre - axis| < h }
@@ -31,6 +42,18 @@ class FreeSector {
   [[nodiscard]] bool contains(Vec2 p) const;
   /// True when distances alone tell that no point of `older` lies in F; calls no trigonometric function.
   [[nodiscard]] bool out_of_reach(const Arc& older) const;
+  /// True when the whole arc lies at or beyond one of the lines along the beam's edges, behind which F, convex below
+  /// half a turn, has no point.
+  [[nodiscard]] bool leaves_aside(const CircleOutline& older) const {
+    const Vec2 offset = older.centre - arc_.centre();
+    const Vec2 first = offset + older.radius_m * older.begin;
+    const Vec2 last = offset + older.radius_m * older.end;
+    const auto beyond = [&](Vec2 inwards) {
+      if (dot(inwards, first) > 0.0 || dot(inwards, last) > 0.0) return false;
+      return !older.holds(inwards) || dot(inwards, offset) + older.radius_m <= 0.0;
+    };
+    return beyond(perpendicular(low_edge_)) || beyond(-perpendicular(high_edge_));
+  }
 
  private:
   Arc arc_;
@@ -54,6 +77,8 @@ class CarvableArc {
   [[nodiscard]] Vec2 axis() const { return axis_; }
   [[nodiscard]] Vec2 begin() const { return begin_; }
   [[nodiscard]] Vec2 end() const { return end_; }
+  /// Of a circular arc.
+  [[nodiscard]] CircleOutline outline() const { return {arc_.centre(), begin_, end_, arc_.range_m()}; }
 
  private:
   Arc arc_;
