@@ -20,7 +20,9 @@ bool is_beam(Angle beam_width) {
 
 void Carver::carve(const ArcHistory& history, const Arc& newer, const ArcSource& by) {
   const FreeSector sector(newer, guard_m_);
-  history.unordered_candidates(sector.bounds(), candidates_);  // each is carved for itself
+  const Vec2 margin{eps_length_m, eps_length_m};  // for other users of `met`, whose arcs may touch
+  const Box near{sector.bounds().low - margin, sector.bounds().high + margin};
+  history.unordered_candidates(near, candidates_);  // each is carved for itself
   for (const ArcSlot slot : candidates_) {
     if (is_spared(outlines_[slot], sector)) continue;
     apply(remains_[slot], sector, by);

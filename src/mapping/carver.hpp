@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "echoarc/core/arc_carving.hpp"
@@ -46,6 +47,8 @@ class Carver {
 
   /// Everything in the history that lives loses what lies in the free sector of `newer`, the arc of the reading `by`.
   void carve(const ArcHistory& history, const Arc& newer, const ArcSource& by);
+  /// The slots that the last `carve` looked at: all whose box overlaps that of the newer arc.
+  [[nodiscard]] std::span<const ArcSlot> met() const { return candidates_; }
   /// The arc has entered the history.
   void admit(const ArcHistory& history, ArcSlot slot);
   /// The arc is about to leave the history.
@@ -81,7 +84,7 @@ class Carver {
   std::vector<Remains> remains_;   // by slot
   std::vector<Outline> outlines_;  // by slot
   CarvingCounts counts_;
-  std::vector<ArcSlot> candidates_;  // scratch
+  std::vector<ArcSlot> candidates_;
 };
 
 /// Adds the point of an arc: the middle of what is left ([Silver04] eq. 3.6). Nothing for a removed arc, nor for one

@@ -73,7 +73,7 @@ void Combined::take_echo(const Reading& reading) {
   if (const auto oldest = ring.history().leaving(reading.rx)) let_go(*oldest);
   ring.carve(*arc, reading);
   const ArcSlot slot = ring.enter(*arc, reading);
-  state_->medians.insert(ring.history(), slot);
+  state_->medians.insert(ring.history(), slot, ring.carver().met());
   if (options_.history == 0) let_go(slot);
   ++counters_.used;
 }

@@ -64,9 +64,8 @@ double TransversalMedians::least_angle_to_keep(double least_old, double least_ne
   return std::min(least_old, least_new) - slack;
 }
 
-void TransversalMedians::collect(const ArcHistory& history, const CrossableArc& arc, const Box& box, double least_rad,
-                                 ArcSlot self, std::vector<ArcSlot>& candidates, std::vector<Found>& found) const {
-  history.candidates(box, candidates);
+void TransversalMedians::collect(const CrossableArc& arc, double least_rad, ArcSlot self,
+                                 std::span<const ArcSlot> candidates, std::vector<Found>& found) const {
   for (const ArcSlot old : candidates) {
     if (old == self) continue;
     const double keep_rad = least_angle_to_keep(least_rad_[old], least_rad);
@@ -85,6 +84,19 @@ void TransversalMedians::add(ArcSlot slot, const Record& record) {
 }
 
 void TransversalMedians::insert(const ArcHistory& history, ArcSlot slot) {
+  history.candidates(history.box(slot), candidates_);
+  cross_with_candidates(history, slot);
+}
+
+void TransversalMedians::insert(const ArcHistory& history, ArcSlot slot, std::span<const ArcSlot> met) {
+  candidates_.clear();
+  for (const ArcSlot other : met)
+    if (overlap(history.box(slot), history.box(other))) candidates_.push_back(other);
+  std::ranges::sort(candidates_, {}, [&](ArcSlot other) { return history.sequence(other); });
+  cross_with_candidates(history, slot);
+}
+
+void TransversalMedians::cross_with_candidates(const ArcHistory& history, ArcSlot slot) {
   if (slot >= arcs_.size()) {
     arcs_.resize(slot + 1);
     least_rad_.resize(slot + 1);
@@ -95,7 +107,7 @@ void TransversalMedians::insert(const ArcHistory& history, ArcSlot slot) {
   least_rad_[slot] = rule_.angle == TransversalAngle::from_histogram ? 0.0 : least_angle(arc).rad();
   arcs_[slot] = fresh;
   found_.clear();
-  collect(history, fresh, history.box(slot), least_rad_[slot], slot, candidates_, found_);
+  collect(fresh, least_rad_[slot], slot, candidates_, found_);
   for (std::size_t first = 0, last = 0; first < found_.size(); first = last) {
     const ArcSlot old = found_[first].partner;
     while (last < found_.size() && found_[last].partner == old) ++last;
@@ -147,7 +159,8 @@ TransversalMedian TransversalMedians::preview(const ArcHistory& history, const A
   const CrossableArc fresh(arc);
   std::vector<ArcSlot> candidates;
   std::vector<Found> found;
-  collect(history, fresh, arc.bounds(), least_rad, no_slot, candidates, found);
+  history.candidates(arc.bounds(), candidates);
+  collect(fresh, least_rad, no_slot, candidates, found);
   std::vector<Record> sorted;
   for (const Found& f : found) sorted.push_back({f.t_new, f.angle_rad, f.partner});
   std::ranges::stable_sort(sorted, {}, &Record::t);

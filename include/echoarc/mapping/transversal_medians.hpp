@@ -73,6 +73,9 @@ class TransversalMedians {
   [[nodiscard]] const TransversalRule& rule() const { return rule_; }
   /// Crosses the arc in `slot`, which has just entered the history, with all others in it.
   void insert(const ArcHistory& history, ArcSlot slot);
+  /// The same for those who know already where to look: among `met` are all arcs, each once, whose box overlaps the
+  /// new one's.
+  void insert(const ArcHistory& history, ArcSlot slot, std::span<const ArcSlot> met);
   /// Forgets the arc and its crossings with the others; before it is evicted.
   void erase(ArcSlot slot);
 
@@ -109,8 +112,9 @@ class TransversalMedians {
   };
 
   [[nodiscard]] double least_angle_to_keep(double least_old, double least_new) const;
-  void collect(const ArcHistory& history, const CrossableArc& arc, const Box& box, double least_rad, ArcSlot self,
-               std::vector<ArcSlot>& candidates, std::vector<Found>& found) const;
+  void collect(const CrossableArc& arc, double least_rad, ArcSlot self, std::span<const ArcSlot> candidates,
+               std::vector<Found>& found) const;
+  void cross_with_candidates(const ArcHistory& history, ArcSlot slot);
   [[nodiscard]] bool has_room(ArcSlot slot, std::size_t more) const {
     return crossings_[slot].size() + more <= max_crossings_per_arc;
   }
