@@ -46,7 +46,8 @@ void count_rest(const CountRows& rows, std::uint32_t row, std::uint32_t i, std::
 void find_blocks(const CountRows& rows, std::uint16_t** __restrict blocks) {
   const CountRows r = rows;
   for (std::uint32_t k = 0; k < r.count; ++k) {
-    const std::uint32_t i = static_cast<std::uint32_t>(r.i_begin[k]) - r.tiles_begin;
+    // A row without cells may begin one column past the last tile; any block will do for it.
+    const std::uint32_t i = r.i_begin[k] < r.i_end[k] ? static_cast<std::uint32_t>(r.i_begin[k]) - r.tiles_begin : 0;
     blocks[k] = r.tiles[i >> tile_shift] + offset_of(r.row + k, i);
     __builtin_prefetch(blocks[k], 1);
   }

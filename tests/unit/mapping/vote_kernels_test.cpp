@@ -69,6 +69,20 @@ TEST(CountRows, EveryInstructionSetCountsTheCellsOfTheRuns) {
   }
 }
 
+TEST(CountRows, ARowWithoutCellsMayBeginPastTheLastTile) {
+  Tile tile{};
+  std::uint16_t* const pointers[] = {tile.data(), nullptr};
+  const std::int32_t begin[] = {64};
+  const CountRows rows{pointers, 0, 5, 1, begin, begin};
+  for (const auto* kernels : all_kernels()) {
+    std::uint16_t* block = nullptr;
+    kernels->find_blocks(rows, &block);
+    EXPECT_TRUE(block >= tile.data() && block < tile.data() + tile.size()) << kernels->instruction_set;
+    kernels->count(rows, &block);
+    EXPECT_EQ(tile, Tile{}) << kernels->instruction_set;
+  }
+}
+
 TEST(CountRows, FullCountsStay) {
   const Runs runs{{3}, {6}};
   for (const auto* kernels : all_kernels()) {
