@@ -17,9 +17,9 @@ constexpr std::int32_t lanes = 8;
 
 /// As many zeros as a tile's row has cells, then as many -1 (all bits): from 64 - k on, the cells l >= k of a row.
 struct Steps {
-  alignas(64) std::int32_t values[2 * tile_size];
+  alignas(64) std::int32_t values[2 * tile_size] = {};
 
-  constexpr Steps() : values{} {
+  constexpr Steps() {
     for (std::int32_t k = tile_size; k < 2 * tile_size; ++k) values[k] = -1;
   }
 };

@@ -52,7 +52,7 @@ std::size_t ArcHash::place_of(std::uint64_t key) const {
 }
 
 void ArcHash::grow() {
-  std::vector<HashCell> old = std::move(cells_);
+  const std::vector<HashCell> old = std::move(cells_);
   cells_.assign(std::max<std::size_t>(64, 2 * old.size()), HashCell{});
   for (const HashCell& cell : old)
     if (cell.key != no_key) cells_[place_of(cell.key)] = cell;

@@ -19,7 +19,7 @@ void sample(const ArcShape& shape, std::size_t count, std::uint64_t* __restrict 
     for (std::size_t l = 0; l < arc_lanes; ++l) {
       const double x = base_x * s.lane_x[l] - base_y * s.lane_y[l];
       const double y = base_x * s.lane_y[l] + base_y * s.lane_x[l];
-      double radius = s.semi_major;
+      double radius = s.semi_major;  // NOLINT(misc-const-correctness): changed for an ellipse
       if constexpr (!circular) {
         const double along = s.semi_minor * (x * s.focal_x + y * s.focal_y);
         const double across = s.semi_major * (s.focal_x * y - s.focal_y * x);
