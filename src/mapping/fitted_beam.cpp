@@ -18,8 +18,8 @@ namespace {
 // error of 5e-6 of each factor into less than 0.1 unit at the default certainties.
 constexpr double log_odds_tolerance_units = 0.3;
 constexpr double factor_tolerance = 5e-6;
-// In fixed point every place rounds in its own way. Where one in 32 stays so near, none strays by one and a half: that is
-// the unit beside the rounded model's.
+// In fixed point every place rounds in its own way. Where one in 32 stays so near, none strays by one and a half: that
+// is the unit beside the rounded model's.
 constexpr double fixed_tolerance_units = 0.95;
 constexpr double fixed_check_step = 32.0;
 
