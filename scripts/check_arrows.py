@@ -17,11 +17,13 @@ ALLOWED: dict[str, set[str]] = {
     "core": set(),
     "sensing": {"core"},
     "maps": {"core"},
+    "sim": {"core", "sensing"},
     "mapping": {"core", "maps"},
     "features": {"core", "maps"},
     "eval": {"core", "maps"},
     "pipeline": {"core", "sensing", "maps", "mapping"},
-    "io": {"core", "sensing", "maps", "mapping", "features", "eval"},
+    "io": {"core", "sensing", "maps", "sim", "mapping", "features", "eval"},
+    "studies": {"core", "sensing", "maps", "sim", "mapping", "features", "eval", "pipeline"},
 }
 LIBRARY_PARTS = set(ALLOWED)
 OUTER_FOLDERS = {"apps", "bench", "tests", "examples", "fuzz"}  # these may include every part, `io` among them

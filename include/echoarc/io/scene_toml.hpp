@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "echoarc/core/result.hpp"
+#include "echoarc/eval/scene_scoring.hpp"
+#include "echoarc/sim/scene.hpp"
+
+namespace echoarc::io {
+
+struct SceneFile {
+  sim::Scene scene;
+  std::optional<SceneScoring> scoring;
+};
+
+/// A scene.toml; docs/scenes.md lists its keys. `source` names it in messages. Errors say line, cause and remedy.
+[[nodiscard]] Result<SceneFile> read_scene(std::string_view text, std::string_view source);
+
+}  // namespace echoarc::io
