@@ -18,10 +18,11 @@ namespace {
 // error of 5e-6 of each factor into less than 0.1 unit at the default certainties.
 constexpr double log_odds_tolerance_units = 0.3;
 constexpr double factor_tolerance = 5e-6;
-// In fixed point every place rounds in its own way. Where one in 32 stays so near, none strays by one and a half: that
+// In fixed point every place rounds in its own way. Where one in 64 stays so near, none strays by one and a half: that
 // is the unit beside the rounded model's.
 constexpr double fixed_tolerance_units = 0.95;
-constexpr double fixed_check_step = 32.0;
+constexpr double fine_check_step = 64.0;
+constexpr double coarse_check_step = 1024.0;  // refuses most of what does not do, cheaply
 
 /// The bends that are tried, in reciprocals of the edge's s.
 constexpr double edge_bends[] = {0.0, 0.5, 1.0, 1.5, 2.0};
@@ -57,20 +58,20 @@ float evaluate(const kernels::Polynomial& polynomial, float x) {
 }  // namespace
 
 std::optional<kernels::Polynomial> fit_polynomial(const std::function<double(double)>& function, double high,
-                                                  double tolerance) {
+                                                  double tolerance, int most_terms) {
   constexpr int checks = 200;
-  for (int terms = 1; terms <= kernels::max_terms; ++terms) {
+  for (int terms = 1; terms <= most_terms; ++terms) {
     const Terms powers = interpolate(function, 0.0, high, terms);
     kernels::Polynomial polynomial{};
     polynomial.terms = terms;
     for (int k = 0; k < terms; ++k) polynomial.c[k] = static_cast<float>(powers[k]);
-    double worst = 0.0;
-    for (int k = 0; k <= checks; ++k) {
-      const double x = high * k / checks;
-      const double error = std::abs(double(evaluate(polynomial, static_cast<float>(x))) - function(x));
-      worst = error <= worst ? worst : error;  // NaN counts as worst
-    }
-    if (worst <= tolerance) return polynomial;
+    const auto follows = [&](int check) {
+      const double x = high * check / checks;
+      return std::abs(double(evaluate(polynomial, static_cast<float>(x))) - function(x)) <= tolerance;  // no NaN
+    };
+    int check = checks;
+    while (check >= 0 && follows(check)) --check;
+    if (check < 0) return polynomial;
   }
   return std::nullopt;
 }
@@ -86,8 +87,8 @@ std::optional<kernels::Polynomial> fit_angular(const std::function<double(double
   for (const double edge_bend : edge_bends) {
     const double bend = edge_bend / edge;
     auto fit = fit_polynomial([&](double y) { return of_sine_squared(std::min(y / (1.0 - bend * y), edge)); },
-                              edge / (1.0 + edge_bend), tolerance);
-    if (!fit || (best && best->terms <= fit->terms)) continue;
+                              edge / (1.0 + edge_bend), tolerance, best ? best->terms - 1 : kernels::max_terms);
+    if (!fit) continue;
     fit->bend = static_cast<float>(bend);
     best = fit;
   }
@@ -110,19 +111,25 @@ std::optional<kernels::FixedPolynomial> in_fixed_point(const Terms& powers) {
 
 /// The shortest polynomial in fixed point that follows a function of y on [0, edge] to within a whole unit, all
 /// rounding included.
-std::optional<kernels::FixedPolynomial> fit_fixed(const std::function<double(double)>& of_y, double edge) {
+std::optional<kernels::FixedPolynomial> fit_fixed(const std::function<double(double)>& of_y, double edge,
+                                                  int most_terms) {
   constexpr double places = 32768.0;
   const double begin = kernels::fixed_begin;
   const double end = kernels::fixed_end;
-  const auto of_z = [&](double z) { return of_y(edge * std::clamp((z * places - begin) / (end - begin), 0.0, 1.0)); };
-  std::vector<std::pair<std::int16_t, double>> checks;
-  for (double z = begin; z <= end; z += fixed_check_step) checks.emplace_back(std::int16_t(z), of_z(z / places));
-  for (int terms = 2; terms <= kernels::max_fixed_terms; ++terms) {
+  const auto of_place = [&](double place) {
+    return of_y(edge * std::clamp((place - begin) / (end - begin), 0.0, 1.0));
+  };
+  const auto follows = [&](const kernels::FixedPolynomial& polynomial, double step) {
+    for (double place = begin; place <= end; place += step)
+      if (!(std::abs(fixed_value(polynomial, std::int16_t(place)) - of_place(place)) <= fixed_tolerance_units))
+        return false;
+    return true;
+  };
+  const auto of_z = [&](double z) { return of_place(z * places); };
+  for (int terms = 2; terms <= most_terms; ++terms) {
     const auto polynomial = in_fixed_point(interpolate(of_z, begin / places, end / places, terms));
-    const auto close = [&](const auto& check) {
-      return std::abs(fixed_value(*polynomial, check.first) - check.second) <= fixed_tolerance_units;
-    };
-    if (polynomial && std::ranges::all_of(checks, close)) return polynomial;
+    if (polynomial && follows(*polynomial, coarse_check_step) && follows(*polynomial, fine_check_step))
+      return polynomial;
   }
   return std::nullopt;
 }
@@ -135,8 +142,9 @@ std::optional<kernels::FixedPolynomial> fit_fixed_angular(const std::function<do
   for (const double edge_bend : edge_bends) {
     const double bend = edge_bend / edge;
     const double y_edge = edge / (1.0 + edge_bend);
-    auto fit = fit_fixed([&](double y) { return of_sine_squared(std::min(y / (1.0 - bend * y), edge)); }, y_edge);
-    if (!fit || (best && best->terms <= fit->terms)) continue;
+    auto fit = fit_fixed([&](double y) { return of_sine_squared(std::min(y / (1.0 - bend * y), edge)); }, y_edge,
+                         best ? best->terms - 1 : kernels::max_fixed_terms);
+    if (!fit) continue;
     const double stretch = (double(kernels::fixed_end) - double(kernels::fixed_begin)) / y_edge;
     fit->across_scale = static_cast<float>(std::sqrt(stretch));
     fit->bend = static_cast<float>(bend / stretch);
@@ -146,7 +154,7 @@ std::optional<kernels::FixedPolynomial> fit_fixed_angular(const std::function<do
 }
 
 FittedFree fit_free(const std::function<double(double)>& of_sine_squared, double edge) {
-  if (const auto flat = fit_polynomial(of_sine_squared, edge, log_odds_tolerance_units); flat && flat->terms == 1)
+  if (const auto flat = fit_polynomial(of_sine_squared, edge, log_odds_tolerance_units, 1))
     return static_cast<std::int16_t>(std::lrint(flat->c[0]));
   if (const auto fixed = fit_fixed_angular(of_sine_squared, edge)) return *fixed;
   if (const auto floating = fit_angular(of_sine_squared, edge, log_odds_tolerance_units)) return *floating;

@@ -14,9 +14,10 @@
 namespace echoarc {
 
 /// The lowest polynomial that follows `function` on [0, high] within `tolerance`, evaluated in single precision; none
-/// when `kernels::max_terms` do not suffice. Interpolates at Chebyshev nodes.
+/// when `most_terms` do not suffice. Interpolates at Chebyshev nodes.
 [[nodiscard]] std::optional<kernels::Polynomial> fit_polynomial(const std::function<double(double)>& function,
-                                                                double high, double tolerance);
+                                                                double high, double tolerance,
+                                                                int most_terms = kernels::max_terms);
 
 /// The log-odds of free cells across the beam, in units of the grid, in the cheapest form that follows the model: a
 /// constant (uniform profile), 16-bit fixed point (usual beams and certainties), single precision, or none (beams near

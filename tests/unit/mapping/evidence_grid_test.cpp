@@ -287,6 +287,38 @@ TEST(FittedBeam, DefaultBeamNeedsFewTerms) {
   EXPECT_EQ(std::get<std::int16_t>(uniform.free), to_units(log_odds(0.25)));
 }
 
+/// How far the fixed-point polynomial of a beam strays from its model, in units, over nearly all it is ever asked.
+double worst_fixed_error(const FittedBeam& beam) {
+  const auto& fixed = std::get<kernels::FixedPolynomial>(beam.free);
+  const double stretch = double(fixed.across_scale) * double(fixed.across_scale);
+  const double bend = double(fixed.bend) * stretch;
+  const double edge = sin(beam.model.half_width) * sin(beam.model.half_width);
+  double worst = 0.0;
+  for (int place = int(kernels::fixed_begin); place <= int(kernels::fixed_end); place += 3) {
+    const double y = (place - double(kernels::fixed_begin)) / stretch;
+    const double sine_squared = std::min(y / (1.0 - bend * y), edge);
+    const double exact = beam.free_weight *
+                         log_odds(beam.model.free_probability(radians(std::asin(std::sqrt(sine_squared))))) /
+                         log_odds_unit;
+    worst = std::max(worst, std::abs(fixed_value(fixed, std::int16_t(place)) - exact));
+  }
+  return worst;
+}
+
+TEST(FittedBeam, FixedPointStaysBesideTheRoundedModel) {
+  Rng rng(5);
+  int in_fixed_point = 0;
+  for (int k = 0; k < 400; ++k) {
+    const BeamProfile profile = k % 2 == 0 ? BeamProfile::gaussian : BeamProfile::parabolic;
+    const FittedBeam beam = fit_beam(
+        {.profile = profile, .half_width = degrees(rng.uniform(3.0, 60.0)), .free_floor = rng.uniform(0.1, 0.49)}, 1.0);
+    if (!std::holds_alternative<kernels::FixedPolynomial>(beam.free)) continue;
+    ++in_fixed_point;
+    EXPECT_LT(worst_fixed_error(beam), 1.5) << beam.model.half_width.deg() << " deg, " << beam.model.free_floor;
+  }
+  EXPECT_GT(in_fixed_point, 200);
+}
+
 TEST(FittedBeam, WhatNoPolynomialFollowsIsAbsent) {
   EXPECT_FALSE(fit_beam(InverseSonarModel{.half_width = degrees(89.9), .angular_sigma = 0.05}, 1.0).complete());
   EXPECT_FALSE(fit_beam(InverseSonarModel{.occupied_peak = 0.999}, 1.0).complete());
