@@ -26,21 +26,13 @@ Carve::~Carve() = default;
 void Carve::insert(std::span<const Reading> readings, Executor& /*executor*/) {
   map_.truncate(archived_);
   for (const Reading& reading : readings) {
-    if (options_.carve_with_timeouts && is_no_echo(reading.outcome))
-      take_silence(reading);
-    else
+    if (!options_.carve_with_timeouts || !is_no_echo(reading.outcome))
       take_echo(reading);
+    else if (ring_->carve_silence(reading, options_.beam_policy, options_.max_range_m))
+      ++counters_.used;
+    else
+      ++counters_.no_information;
   }
-}
-
-void Carve::take_silence(const Reading& reading) {
-  const auto rim = silent_arc(reading, options_.beam_policy, options_.max_range_m);
-  if (!rim || !ArcHistory::is_storable(*rim)) {
-    ++counters_.no_information;
-    return;
-  }
-  ring_->carve(*rim, reading);
-  ++counters_.used;
 }
 
 void Carve::take_echo(const Reading& reading) {

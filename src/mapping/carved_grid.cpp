@@ -97,8 +97,7 @@ void CarvedGrid::State::take(const Reading& reading, InsertCounters& counters) {
     take_arc(*arc, reading, *beam);
     return;
   }
-  if (options_.carve_with_timeouts)
-    if (const auto rim = silent_arc(reading, options_.beam_policy, options_.max_range_m)) ring_.carve(*rim, reading);
+  if (options_.carve_with_timeouts) ring_.carve_silence(reading, options_.beam_policy, options_.max_range_m);
   apply(*beam, gaussian_band(sonar_model(options_, beam->rim.half_width())), grid_);
 }
 

@@ -7,6 +7,13 @@
 
 namespace echoarc {
 
+bool CarvedRing::carve_silence(const Reading& silent, BeamPolicy policy, double max_range_m) {
+  const auto rim = silent_arc(silent, policy, max_range_m);
+  if (!rim || !ArcHistory::is_storable(*rim)) return false;
+  carve(*rim, silent);
+  return true;
+}
+
 ArcSlot CarvedRing::enter(const Arc& arc, const Reading& reading) {
   const ArcSlot slot = history_.insert(arc, source_of(reading));
   carver_.admit(history_, slot);

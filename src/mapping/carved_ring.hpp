@@ -29,6 +29,9 @@ class CarvedRing {
 
   /// What newer readings can do to the arcs of the ring.
   void carve(const Arc& newer, const Reading& by) { carver_.carve(history_, newer, source_of(by)); }
+  /// What silence can do to them: it is free space to the sensor's trusted range, at most `max_range_m`. False when it
+  /// says nothing.
+  bool carve_silence(const Reading& silent, BeamPolicy policy, double max_range_m);
   /// The arc enters the ring; the oldest must have left before (`history().leaving`).
   ArcSlot enter(const Arc& arc, const Reading& reading);
   void leave(ArcSlot slot);

@@ -44,21 +44,13 @@ Combined::~Combined() = default;
 void Combined::insert(std::span<const Reading> readings, Executor& /*executor*/) {
   map_.truncate(archived_);
   for (const Reading& reading : readings) {
-    if (options_.carve_with_timeouts && is_no_echo(reading.outcome))
-      take_silence(reading);
-    else
+    if (!options_.carve_with_timeouts || !is_no_echo(reading.outcome))
       take_echo(reading);
+    else if (state_->ring.carve_silence(reading, options_.beam_policy, options_.max_range_m))
+      ++counters_.used;
+    else
+      ++counters_.no_information;
   }
-}
-
-void Combined::take_silence(const Reading& reading) {
-  const auto rim = silent_arc(reading, options_.beam_policy, options_.max_range_m);
-  if (!rim || !ArcHistory::is_storable(*rim)) {
-    ++counters_.no_information;
-    return;
-  }
-  state_->ring.carve(*rim, reading);
-  ++counters_.used;
 }
 
 void Combined::take_echo(const Reading& reading) {

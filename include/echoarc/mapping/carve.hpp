@@ -74,7 +74,6 @@ class Carve {
 
  private:
   void take_echo(const Reading& reading);
-  void take_silence(const Reading& reading);
   /// The arc leaves the ring; its point stays, if the map is a global one.
   void let_go(std::uint32_t slot);
 

@@ -93,7 +93,6 @@ class Combined {
   class State;
 
   void take_echo(const Reading& reading);
-  void take_silence(const Reading& reading);
   void let_go(std::uint32_t slot);
   void add_points(std::uint32_t slot);
 
