@@ -19,6 +19,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+from itertools import dropwhile
 from pathlib import Path
 
 from project_files import ROOT
@@ -57,15 +58,15 @@ def fingerprint(entry: dict) -> str:
 
 
 def flags_of(entry: dict) -> list[str]:
-    """The compiler's arguments without the names of the files of one compilation."""
-    words = iter(shlex.split(entry["command"]))  # [launcher] compiler -flags...
+    """The compiler's flags without the names of the files of one compilation."""
+    words = dropwhile(lambda word: not word.startswith("-"), shlex.split(entry["command"]))  # [launcher] compiler -...
     kept = []
     for word in words:
         if word in ("-o", "-c", "-MT", "-MF"):
             next(words)
         elif word != "-MD":
             kept.append(word)
-    return kept[kept.index(next(word for word in kept if word.startswith("-"))):]
+    return kept
 
 
 def batches(entries: list[dict]) -> list[list[dict]]:

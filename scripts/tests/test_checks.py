@@ -15,6 +15,7 @@ import check_arrows  # noqa: E402
 import check_house  # noqa: E402
 import check_sizes  # noqa: E402
 import fill_option_tables  # noqa: E402
+import run_tidy  # noqa: E402
 
 HEADER = "// SPDX-FileCopyrightText: 2026 The echoarc authors\n// SPDX-License-Identifier: Apache-2.0\n"
 
@@ -186,6 +187,36 @@ class OptionTables(Tree):
     def test_table_of_an_unknown_method_fails(self):
         self.write("docs/dm.md", self.PAGE + self.PAGE.replace("dm", "magic"))
         self.assertEqual(self.run_main(), 1)
+
+
+class Tidy(unittest.TestCase):
+    """How sources are put together to be read by clang-tidy at once."""
+
+    @staticmethod
+    def entry(file: str, flags: str = "-Iinclude -O2", launcher: str = "") -> dict:
+        command = f"{launcher}/usr/bin/c++ {flags} -MD -MT {file}.o -MF {file}.o.d -o {file}.o -c {file}"
+        return {"file": file, "command": command}
+
+    def test_flags_are_without_launcher_compiler_and_file_names(self):
+        flags = ["-DA=x y", "-Iinclude", "-isystem", "/usr/include/b", "-std=c++20"]
+        given = "'-DA=x y' -Iinclude -isystem /usr/include/b -std=c++20"
+        self.assertEqual(run_tidy.flags_of(self.entry("/src/core/a.cpp", given)), flags)
+        self.assertEqual(run_tidy.flags_of(self.entry("/src/core/a.cpp", given, launcher="ccache ")), flags)
+
+    def test_a_folder_with_the_same_flags_is_read_together(self):
+        entries = [self.entry(f"/src/core/{name}.cpp") for name in "ab"]
+        self.assertEqual(run_tidy.batches(entries), [entries])
+
+    def test_other_folders_other_flags_and_kernels_are_read_apart(self):
+        entries = [self.entry("/src/core/a.cpp"), self.entry("/src/maps/a.cpp"), self.entry("/src/core/b.cpp", "-O0"),
+                   self.entry("/src/core/c_isa.cpp"), self.entry("/src/core/d_isa.cpp")]
+        self.assertEqual(run_tidy.batches(entries), [[entry] for entry in entries])
+
+    def test_batches_are_bounded_and_lose_nothing(self):
+        entries = [self.entry(f"/src/core/{k}.cpp") for k in range(2 * run_tidy.BATCH + 1)]
+        batches = run_tidy.batches(entries)
+        self.assertEqual([len(batch) for batch in batches], [run_tidy.BATCH, run_tidy.BATCH, 1])
+        self.assertEqual(sum(batches, []), entries)
 
 
 if __name__ == "__main__":
