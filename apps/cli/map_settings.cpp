@@ -46,8 +46,10 @@ Result<std::vector<std::string>> choose_methods(const std::vector<std::string>& 
 /// Collects values for sensing and the chosen methods.
 class SettingCollector {
  public:
-  SettingCollector(std::vector<std::string> methods, std::vector<std::string> features)
-      : sections_(all_sections()), settings_{std::move(methods), std::move(features), {}, {}} {}
+  SettingCollector(std::vector<std::string> methods, std::vector<std::string> features, bool takes_features)
+      : sections_(all_sections()),
+        settings_{std::move(methods), std::move(features), {}, {}},
+        takes_features_(takes_features) {}
 
   [[nodiscard]] Result<void> add_config(const std::filesystem::path& path) {
     const Result<io::Config> config = io::read_config_toml(path, sections_);
@@ -68,7 +70,9 @@ class SettingCollector {
         std::ranges::find(feature_groups(), setting->section, &OptionGroup::name) != feature_groups().end();
     if (!takes_part(setting->section) && is_feature)
       return Error{ErrorCode::bad_value, fmt::format("{} are not among the features of this run", setting->section),
-                   "--set " + text, fmt::format("add them: --features {}", setting->section)};
+                   "--set " + text,
+                   takes_features_ ? fmt::format("add them: --features {}", setting->section)
+                                   : std::string("leave it out; `echoarc map` extracts features")};
     if (!takes_part(setting->section))
       return Error{ErrorCode::bad_value, fmt::format("{} is not among the methods of this run", setting->section),
                    "--set " + text,
@@ -121,6 +125,7 @@ class SettingCollector {
 
   std::vector<io::OptionSection> sections_;  // sensing first
   MapSettings settings_;
+  bool takes_features_;
 };
 
 }  // namespace
@@ -143,7 +148,7 @@ std::variant<MapSettings, SettingFault> resolve_settings(const SettingArguments&
   if (!methods) return SettingFault{methods.error()};
   Result<std::vector<std::string>> features = choose_features(arguments.features);
   if (!features) return SettingFault{features.error()};
-  SettingCollector collector(std::move(*methods), std::move(*features));
+  SettingCollector collector(std::move(*methods), std::move(*features), arguments.takes_features);
   if (!arguments.config.empty())
     if (const Result<void> added = collector.add_config(arguments.config); !added)
       return SettingFault{added.error(), false};

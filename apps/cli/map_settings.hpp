@@ -22,6 +22,7 @@ struct SettingArguments {
   std::vector<std::string> methods{"dm", "evidence"};  ///< "all" alone: the whole catalogue
   std::vector<std::string> settings;                   ///< of --set, in their order: a later one wins
   std::vector<std::string> features;                   ///< names of extractors, or "all"
+  bool takes_features = false;                         ///< whether the verb has --features
   std::filesystem::path config;                        ///< TOML with a table per method and `sensing`; empty: none
 };
 

@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 struct MapArguments {
   LogArguments input;
-  SettingArguments settings;
+  SettingArguments settings{.takes_features = true};
   fs::path output;
   std::size_t threads = host::hardware_threads();
   std::uint64_t seed = 0;

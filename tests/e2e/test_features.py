@@ -62,6 +62,12 @@ class FeaturesTest(CommandTest):
             self.assertNotEqual(result.returncode, 0)
             self.assertIn(remedy, result.stderr)
 
+    def test_a_verb_without_features_does_not_suggest_them(self):
+        result = self.run_command("bench", "room.jsonl", "--set", "tangents.gap_m=1")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("`echoarc map` extracts features", result.stderr)
+        self.assertNotIn("--features", result.stderr)
+
     def test_pictures_show_them(self):
         self.succeed("map", "room.jsonl", "--method", "centerline", "-o", "plain")
         self.succeed("map", "room.jsonl", "--method", "centerline", "--features", "all", "-o", "out")
