@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "io/files.hpp"
-#include "io/toml_fields.hpp"
+#include "io/option_toml.hpp"
 
 namespace echoarc::io {
 namespace {
@@ -33,14 +33,6 @@ Error unknown_section(std::string_view name, std::span<const OptionSection> sect
           fmt::format("use one of {}", fmt::join(names, ", "))};
 }
 
-std::optional<OptionValue> value_of(const toml::node& node) {
-  if (const auto* boolean = node.as_boolean()) return OptionValue{boolean->get()};
-  if (const auto* integer = node.as_integer()) return OptionValue{integer->get()};
-  if (const auto* real = node.as_floating_point()) return OptionValue{real->get()};
-  if (const auto* text = node.as_string()) return OptionValue{text->get()};
-  return std::nullopt;
-}
-
 Error located(Error error, std::string_view source, const toml::source_region& region) {
   error.where = toml_place(source, region);
   return error;
@@ -51,7 +43,7 @@ Result<OptionMap> read_section(const toml::table& table, std::string_view source
   for (const auto& [key, node] : table) {
     const OptionSpec* spec = find_spec(section, key.str());
     if (spec == nullptr) return located(unknown_option(key.str(), section.specs), source, key.source());
-    const std::optional<OptionValue> value = value_of(node);
+    const std::optional<OptionValue> value = option_value(node);
     if (!value)
       return Error{ErrorCode::bad_value, fmt::format("{} has the wrong type", key.str()),
                    toml_place(source, key.source()), "use " + legal_values(*spec)};

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,5 +22,9 @@ struct SceneFile {
 
 /// A scene.toml; docs/scenes.md lists its keys. `source` names it in messages. Errors say line, cause and remedy.
 [[nodiscard]] Result<SceneFile> read_scene(std::string_view text, std::string_view source);
+
+/// The same for a file of at most `max_scene_bytes`.
+[[nodiscard]] Result<SceneFile> read_scene_file(const std::filesystem::path& path);
+inline constexpr std::size_t max_scene_bytes = std::size_t{1} << 28;
 
 }  // namespace echoarc::io
