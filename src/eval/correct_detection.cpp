@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@
 
 namespace echoarc {
 namespace {
+
+constexpr double full_turn_rad = 2.0 * std::numbers::pi;
 
 /// Lines begin <= k < end of a family.
 struct LineRange {
@@ -41,8 +44,40 @@ LineRange lines_through(const LineFamily& family, Vec2 p, double cell_m) {
   return {clipped(begin, family), clipped(end, family)};
 }
 
+/// The ray of `p` and, for a cell of side `cell_m` around it, those with their middle less than half a cell from `p` at
+/// its distance: [begin, end) may reach beyond both ends of the family, rays counted round and round.
+LineRange rays_through(const RayFamily& fan, Vec2 p, double cell_m) {
+  const Vec2 from_centre = p - fan.centre;
+  const double distance_m = norm(from_centre);
+  if (!(distance_m > 0.0)) return {};
+  double turn_rad = (bearing(from_centre) - fan.first).rad();
+  turn_rad -= full_turn_rad * std::floor(turn_rad / full_turn_rad);
+  const double t = turn_rad / fan.step.rad();
+  double begin = std::floor(t);
+  double end = begin + 1.0;
+  const double reach = std::min(0.5 * cell_m / distance_m, std::numbers::pi) / fan.step.rad();
+  begin = std::min(begin, std::ceil(t - reach - 0.5));
+  end = std::max(end, std::ceil(t + reach - 0.5));
+  return {std::int64_t(begin), std::int64_t(end)};
+}
+
 bool contains(const Box& region, Vec2 p) {
   return p.x >= region.low.x && p.x < region.high.x && p.y >= region.low.y && p.y < region.high.y;
+}
+
+/// For every ray of a fan, whether one of the points lies on it.
+std::vector<bool> full_rays(std::span<const Vec2> points, double cell_m, const RayFamily& fan, const Box& region) {
+  std::vector<bool> full(std::size_t(fan.count), false);
+  const auto round = std::max<std::int64_t>(1, std::llround(full_turn_rad / fan.step.rad()));
+  for (const Vec2 p : points) {
+    if (!contains(region, p)) continue;
+    const LineRange rays = rays_through(fan, p, cell_m);
+    for (std::int64_t k = rays.begin; k < rays.end; ++k) {
+      const std::int64_t ray = (k % round + round) % round;
+      if (ray < fan.count) full[std::size_t(ray)] = true;
+    }
+  }
+  return full;
 }
 
 /// For every line, family by family, whether one of the points lies on it. A coarse cell covers many lines, so ranges
@@ -62,6 +97,10 @@ std::vector<bool> full_lines(std::span<const Vec2> points, double cell_m, const 
       on_line += change[k];
       full.push_back(on_line > 0);
     }
+  }
+  for (const RayFamily& fan : directions.fans) {
+    const std::vector<bool> rays = full_rays(points, cell_m, fan, directions.region);
+    full.insert(full.end(), rays.begin(), rays.end());
   }
   return full;
 }

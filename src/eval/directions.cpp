@@ -6,17 +6,21 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <string_view>
 
 namespace echoarc {
 namespace {
 
 constexpr double unit_tolerance = 1e-9;
+constexpr double full_turn_rad = 2.0 * std::numbers::pi;
 // Where a count of lines comes out whole but for rounding.
 constexpr double line_slack = 1e-9;
 
-Error refused(std::size_t family, std::string cause, std::string remedy) {
-  return {ErrorCode::bad_value, std::move(cause), "line family " + std::to_string(family), std::move(remedy)};
+Error refused(std::string_view kind, std::size_t family, std::string cause, std::string remedy) {
+  return {ErrorCode::bad_value, std::move(cause), std::string(kind) + " family " + std::to_string(family),
+          std::move(remedy)};
 }
 
 bool is_unit(Vec2 v) {
@@ -48,39 +52,54 @@ Box region_of(const GridGeometry& geometry, std::int32_t columns, std::int32_t r
   return {geometry.corner({0, 0}), geometry.corner({columns, rows})};
 }
 
+Result<void> validate_fans(std::span<const RayFamily> fans) {
+  for (std::size_t k = 0; k < fans.size(); ++k) {
+    const RayFamily& fan = fans[k];
+    if (!is_finite(fan.centre) || !is_finite(fan.first))
+      return refused("ray", k, "the centre or the first bearing is not finite", "give a position in metres");
+    if (!(fan.step.rad() > 0.0)) return refused("ray", k, "rays without a width", "give a step above 0 degrees");
+    if (fan.count < 0) return refused("ray", k, "a negative number of rays", "give 0 rays or more");
+    if (!(fan.count * fan.step.rad() <= full_turn_rad * (1.0 + line_slack)))
+      return refused("ray", k, "rays that go round more than once", "give fewer rays or a smaller step");
+  }
+  return {};
+}
+
 }  // namespace
 
 std::int64_t DirectionSet::line_count() const {
   std::int64_t lines = 0;
   for (const LineFamily& family : families) lines += family.count;
+  for (const RayFamily& fan : fans) lines += fan.count;
   return lines;
 }
 
 Result<void> validate(const DirectionSet& directions) {
-  std::int64_t lines = 0;
   for (std::size_t k = 0; k < directions.families.size(); ++k) {
     const LineFamily& family = directions.families[k];
-    if (!is_finite(family.corner)) return refused(k, "the corner is not finite", "give a position in metres");
+    if (!is_finite(family.corner)) return refused("line", k, "the corner is not finite", "give a position in metres");
     if (!is_unit(family.along) || !is_unit(family.across) ||
         !(std::abs(dot(family.along, family.across)) <= unit_tolerance))
-      return refused(k, "along and across are no unit vectors at right angles", "normalise them");
+      return refused("line", k, "along and across are no unit vectors at right angles", "normalise them");
     if (!(family.width_m > 0.0) || !std::isfinite(family.width_m))
-      return refused(k, "lines of width " + std::to_string(family.width_m) + " m", "give a width above 0 m");
-    if (family.count < 0) return refused(k, "a negative number of lines", "give 0 lines or more");
-    lines += family.count;
-    if (lines > max_direction_lines)
-      return refused(k, "more than " + std::to_string(max_direction_lines) + " directions of interest",
-                     "use wider lines or a smaller region");
+      return refused("line", k, "lines of width " + std::to_string(family.width_m) + " m", "give a width above 0 m");
+    if (family.count < 0) return refused("line", k, "a negative number of lines", "give 0 lines or more");
   }
+  if (const Result<void> valid = validate_fans(directions.fans); !valid) return valid;
+  if (directions.line_count() > max_direction_lines)
+    return Error{ErrorCode::bad_value, "more than " + std::to_string(max_direction_lines) + " directions of interest",
+                 "directions", "use wider lines or a smaller region"};
   return {};
 }
 
 DirectionSet column_directions(const GridGeometry& geometry, std::int32_t columns, std::int32_t rows) {
-  return {region_of(geometry, columns, rows), {{geometry.origin, {0.0, 1.0}, {1.0, 0.0}, geometry.cell_m, columns}}};
+  return {region_of(geometry, columns, rows),
+          {{geometry.origin, {0.0, 1.0}, {1.0, 0.0}, geometry.cell_m, columns}},
+          {}};
 }
 
 DirectionSet row_directions(const GridGeometry& geometry, std::int32_t columns, std::int32_t rows) {
-  return {region_of(geometry, columns, rows), {{geometry.origin, {1.0, 0.0}, {0.0, 1.0}, geometry.cell_m, rows}}};
+  return {region_of(geometry, columns, rows), {{geometry.origin, {1.0, 0.0}, {0.0, 1.0}, geometry.cell_m, rows}}, {}};
 }
 
 DirectionSet axis_directions(const Box& region, Vec2 origin, Angle along, double width_m) {
@@ -94,12 +113,20 @@ DirectionSet axis_directions(const Box& region, Vec2 origin, Angle along, double
   const double end = std::ceil(sideways.high / width_m + 0.5 - line_slack);
   // The lines start a little before the region, which bounds them anyway: its edge must not be lost to rounding.
   const Vec2 corner = origin + (first - 0.5) * width_m * n + (lengthways.low - width_m) * u;
-  return {region, {{corner, u, n, width_m, line_count_of(end - first)}}};
+  return {region, {{corner, u, n, width_m, line_count_of(end - first)}}, {}};
+}
+
+DirectionSet polar_directions(const Box& region, Vec2 centre, Angle step, Angle first, Angle last) {
+  assert(step.rad() > 0.0);
+  const double turn_rad = std::clamp((last - first).rad(), 0.0, full_turn_rad);
+  const double rays = std::ceil(turn_rad / step.rad() - line_slack);
+  const Angle width = rays > 0.0 ? radians(turn_rad / rays) : step;
+  return {region, {}, {{centre, first, width, line_count_of(rays)}}};
 }
 
 DirectionSet wall_directions(std::span<const WallSpan> walls, const Box& region, double width_m) {
   assert(width_m > 0.0);
-  DirectionSet directions{region, {}};
+  DirectionSet directions{region, {}, {}};
   for (const WallSpan& wall : walls) {
     const double length_m = norm(wall.end - wall.begin);
     const double lines = std::round(length_m / width_m);

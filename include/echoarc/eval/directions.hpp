@@ -30,19 +30,33 @@ struct LineFamily {
   std::int32_t count = 0;
 };
 
-/// All directions in which a map is judged. Families may cross: a point counts on every line it lies on.
+/// Adjacent rays that fan out from a point. Ray k is the wedge
+///
+///     k step <= bearing(p - centre) - first < (k+1) step,   0 < |p - centre|
+///
+/// with the difference of bearings taken in [0, 2 pi).
+struct RayFamily {
+  Vec2 centre;
+  Angle first;  ///< lower edge of ray 0
+  Angle step = degrees(0.25);
+  std::int32_t count = 0;  ///< count times step is at most a full turn
+};
+
+/// All directions in which a map is judged. Families may cross: a point counts on every line and ray it lies on.
 struct DirectionSet {
   /// Only points inside count, its upper edges left out: the border of the grid.
   Box region{{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()},
              {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
   std::vector<LineFamily> families;
+  std::vector<RayFamily> fans;
 
+  /// Lines and rays.
   [[nodiscard]] std::int64_t line_count() const;
 };
 
 inline constexpr std::int64_t max_direction_lines = 10'000'000;
-/// Errors: vectors that are not finite, not of unit length or not at right angles, a width that is not positive, a
-/// negative count, more than `max_direction_lines` in all.
+/// Errors: vectors that are not finite, not of unit length or not at right angles, a width or step that is not positive,
+/// a negative count, rays that go round more than once, more than `max_direction_lines` in all.
 [[nodiscard]] Result<void> validate(const DirectionSet& directions);
 
 /// One line per column of the cells (0, 0) to (columns - 1, rows - 1), looking along +y. Points fall on the lines
@@ -53,6 +67,11 @@ inline constexpr std::int64_t max_direction_lines = 10'000'000;
 /// Lines parallel to `along` that cover `region`; the middle of one of them passes through `origin`. Requires a finite
 /// region and width_m > 0.
 [[nodiscard]] DirectionSet axis_directions(const Box& region, Vec2 origin, Angle along, double width_m);
+
+/// Rays all around `centre`, or as many as there are between two bearings, counter-clockwise from `first` to `last`; the
+/// step is made a little smaller where the angle is no multiple of it. Requires step > 0.
+[[nodiscard]] DirectionSet polar_directions(const Box& region, Vec2 centre, Angle step, Angle first = degrees(0.0),
+                                            Angle last = degrees(360.0));
 
 /// The side of a wall that a robot has in front of it, walls of a room going counter-clockwise: the inside is on the
 /// left of begin -> end. A doorway is part of the span; its lines ought to be empty.
