@@ -93,9 +93,8 @@ Result<void> validate(const DirectionSet& directions) {
 }
 
 DirectionSet column_directions(const GridGeometry& geometry, std::int32_t columns, std::int32_t rows) {
-  return {region_of(geometry, columns, rows),
-          {{geometry.origin, {0.0, 1.0}, {1.0, 0.0}, geometry.cell_m, columns}},
-          {}};
+  return {
+      region_of(geometry, columns, rows), {{geometry.origin, {0.0, 1.0}, {1.0, 0.0}, geometry.cell_m, columns}}, {}};
 }
 
 DirectionSet row_directions(const GridGeometry& geometry, std::int32_t columns, std::int32_t rows) {

@@ -20,8 +20,7 @@ Error refused(std::string cause, std::string remedy) {
 
 /// T_0(u) ... T_(count-1)(u).
 void chebyshev(double u, std::span<double> row) {
-  for (std::size_t k = 0; k < row.size(); ++k)
-    row[k] = k == 0 ? 1.0 : k == 1 ? u : 2.0 * u * row[k - 1] - row[k - 2];
+  for (std::size_t k = 0; k < row.size(); ++k) row[k] = k == 0 ? 1.0 : k == 1 ? u : 2.0 * u * row[k - 1] - row[k - 2];
 }
 
 /// A matrix of `columns` columns held column by column, and a right-hand side.
@@ -60,7 +59,8 @@ std::vector<double> solve(LeastSquares problem) {
   std::vector<double> solution(problem.columns);
   for (std::size_t k = problem.columns; k-- > 0;) {
     double rest = problem.side[k];
-    for (std::size_t other = k + 1; other < problem.columns; ++other) rest -= problem.column(other)[k] * solution[other];
+    for (std::size_t other = k + 1; other < problem.columns; ++other)
+      rest -= problem.column(other)[k] * solution[other];
     solution[k] = rest / diagonal[k];
   }
   return solution;

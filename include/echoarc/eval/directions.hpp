@@ -55,8 +55,8 @@ struct DirectionSet {
 };
 
 inline constexpr std::int64_t max_direction_lines = 10'000'000;
-/// Errors: vectors that are not finite, not of unit length or not at right angles, a width or step that is not positive,
-/// a negative count, rays that go round more than once, more than `max_direction_lines` in all.
+/// Errors: vectors that are not finite, not of unit length or not at right angles, a width or step that is not
+/// positive, a negative count, rays that go round more than once, more than `max_direction_lines` in all.
 [[nodiscard]] Result<void> validate(const DirectionSet& directions);
 
 /// One line per column of the cells (0, 0) to (columns - 1, rows - 1), looking along +y. Points fall on the lines
@@ -68,8 +68,8 @@ inline constexpr std::int64_t max_direction_lines = 10'000'000;
 /// region and width_m > 0.
 [[nodiscard]] DirectionSet axis_directions(const Box& region, Vec2 origin, Angle along, double width_m);
 
-/// Rays all around `centre`, or as many as there are between two bearings, counter-clockwise from `first` to `last`; the
-/// step is made a little smaller where the angle is no multiple of it. Requires step > 0.
+/// Rays all around `centre`, or as many as there are between two bearings, counter-clockwise from `first` to `last`;
+/// the step is made a little smaller where the angle is no multiple of it. Requires step > 0.
 [[nodiscard]] DirectionSet polar_directions(const Box& region, Vec2 centre, Angle step, Angle first = degrees(0.0),
                                             Angle last = degrees(360.0));
 

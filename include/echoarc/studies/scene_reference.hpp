@@ -14,8 +14,8 @@
 
 namespace echoarc::studies {
 
-/// Points every `spacing_m` or less on every surface that stands still: walls with both ends, the outlines of discs, the
-/// samples of curves.
+/// Points every `spacing_m` or less on every surface that stands still: walls with both ends, the outlines of discs,
+/// the samples of curves.
 [[nodiscard]] std::vector<Vec2> surface_points(const sim::WorldDescription& world, double spacing_m = 0.002);
 
 /// Those of `points` that somebody on `path` can see, in their order. A ray per point and eye is held against the

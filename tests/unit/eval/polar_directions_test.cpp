@@ -44,8 +44,7 @@ TEST(PolarDirections, ARayHasWhatLiesInItsWedge) {
 TEST(PolarDirections, ACellLiesOnEveryRayWhoseMiddleItCovers) {
   const DirectionSet fan = polar_directions(region, {0.0, 0.0}, degrees(1.0));
   // Half a cell of 10 cm at 1 m is 2.86 degrees: middles at 0.5, 1.5 and 2.5 degrees on both sides.
-  const auto score =
-      correct_detection(PointSet::of_cells({{1.0, 0.0}}, 0.1).value(), reference_of({{1.0, 0.0}}), fan);
+  const auto score = correct_detection(PointSet::of_cells({{1.0, 0.0}}, 0.1).value(), reference_of({{1.0, 0.0}}), fan);
   ASSERT_TRUE(score);
   EXPECT_EQ(score->correct_full, 1u);
   EXPECT_EQ(score->empty - score->correct_empty, 5u);
