@@ -143,7 +143,7 @@ void Atm<variant>::finish(Executor& /*executor*/) {
 
 template <AtmVariant variant>
 Result<MapExport> Atm<variant>::export_map() const {
-  return export_points(map_, geometry_of(options_), name);
+  return export_points(map_, options_, name);
 }
 
 template <AtmVariant variant>

@@ -65,7 +65,7 @@ void Carve::finish(Executor& /*executor*/) {
 }
 
 Result<MapExport> Carve::export_map() const {
-  return export_points(map_, geometry_of(options_), name);
+  return export_points(map_, options_, name);
 }
 
 std::vector<Tally> Carve::tallies() const {

@@ -42,7 +42,7 @@ void Centerline::insert(std::span<const Reading> readings, Executor& /*executor*
 }
 
 Result<MapExport> Centerline::export_map() const {
-  return export_points(with_neighbours(map_, neighbour_rule(options_)), geometry_of(options_), name);
+  return export_points(map_, options_, name);
 }
 
 Trace Centerline::trace(const Reading& reading) const {

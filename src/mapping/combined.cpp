@@ -99,7 +99,7 @@ void Combined::finish(Executor& /*executor*/) {
 }
 
 Result<MapExport> Combined::export_map() const {
-  return export_points(map_, geometry_of(options_), name);
+  return export_points(map_, options_, name);
 }
 
 std::vector<Tally> Combined::tallies() const {

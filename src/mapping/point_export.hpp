@@ -5,6 +5,7 @@
 
 #include <string_view>
 
+#include "echoarc/mapping/grid_options.hpp"
 #include "echoarc/mapping/method.hpp"
 
 namespace echoarc {
@@ -13,5 +14,11 @@ namespace echoarc {
 /// are spread too far to be drawn.
 [[nodiscard]] Result<MapExport> export_points(const PointMap& points, const GridGeometry& geometry,
                                               std::string_view method);
+
+/// The same of a map with `neighbour_fields` among its options: of the points that have company.
+template <class Options>
+[[nodiscard]] Result<MapExport> export_points(const PointMap& points, const Options& options, std::string_view method) {
+  return export_points(with_neighbours(points, neighbour_rule(options)), geometry_of(options), method);
+}
 
 }  // namespace echoarc

@@ -149,7 +149,7 @@ bool TriangulationFusion::remember(const Reading& reading, const WindowArc& arc,
 }
 
 Result<MapExport> TriangulationFusion::export_map() const {
-  return export_points(map_, geometry_of(options_), name);
+  return export_points(map_, options_, name);
 }
 
 Trace TriangulationFusion::trace(const Reading& reading) const {

@@ -90,10 +90,13 @@ struct AtmOptions {
                                                       : HistoryScope::total;
   int history_arcs = variant == AtmVariant::org ? 10 : 250;
   bool archive = true;
+  int min_neighbours = 0;
+  double neighbour_radius_m = 0.2;
 
   static constexpr auto fields() {
     using O = AtmOptions;
-    return std::tuple_cat(grid_fields<O>(), arc_fields<O>(), transversal_fields<O>(), history_fields<O>());
+    return std::tuple_cat(grid_fields<O>(), arc_fields<O>(), transversal_fields<O>(), history_fields<O>(),
+                          neighbour_fields<O>());
   }
 };
 

@@ -31,10 +31,12 @@ struct CarveOptions {
   bool error_threshold = false;
   double max_error_m = 0.10;
   bool archive = true;
+  int min_neighbours = 0;
+  double neighbour_radius_m = 0.2;
 
   static constexpr auto fields() {
     return std::tuple_cat(carving_fields<CarveOptions>(), carved_point_fields<CarveOptions>(),
-                          arc_fields<CarveOptions>(), grid_fields<CarveOptions>());
+                          neighbour_fields<CarveOptions>(), arc_fields<CarveOptions>(), grid_fields<CarveOptions>());
   }
 };
 

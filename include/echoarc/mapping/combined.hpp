@@ -51,6 +51,8 @@ struct CombinedOptions {
   bool error_threshold = false;
   double max_error_m = 0.10;
   bool archive = true;
+  int min_neighbours = 0;
+  double neighbour_radius_m = 0.2;
 
   static constexpr auto fields();
 };
@@ -112,7 +114,8 @@ constexpr auto CombinedOptions::fields() {
                  field("variant", &O::variant,
                        {.doc = "which paper's table says when an arc has a median",
                         .source = "[Choset03] III; [Barshan07] 3.6; [Silver04] 2.D"})},
-      transversal_fields<O>(), carving_fields<O>(), carved_point_fields<O>(), arc_fields<O>(), grid_fields<O>());
+      transversal_fields<O>(), carving_fields<O>(), carved_point_fields<O>(), neighbour_fields<O>(), arc_fields<O>(),
+      grid_fields<O>());
 }
 
 static_assert(MappingMethod<Combined>);

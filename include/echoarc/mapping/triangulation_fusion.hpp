@@ -43,6 +43,8 @@ struct TriangulationOptions {
   TriangulationPosition position = TriangulationPosition::mean;
   bool refine = false;
   double refine_sigma_m = 0.015;
+  int min_neighbours = 0;
+  double neighbour_radius_m = 0.2;
 
   static constexpr auto fields() {
     using O = TriangulationOptions;
@@ -102,7 +104,8 @@ struct TriangulationOptions {
                   {.doc = "move every point to where its arcs agree most on a local grid",
                    .source = "[Barshan07] 3.7: an optional refinement using a local grid map"}),
             field("refine_sigma_m", &O::refine_sigma_m,
-                  {.unit = "m", .min = 0.001, .max = 1.0, .doc = "refine: standard deviation of a range"})});
+                  {.unit = "m", .min = 0.001, .max = 1.0, .doc = "refine: standard deviation of a range"})},
+        neighbour_fields<O>());
   }
 };
 
