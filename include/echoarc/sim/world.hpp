@@ -78,16 +78,24 @@ struct WorldDescription {
   std::uint64_t seed = 1;  ///< places and strengths of the bumps of rough surfaces
 };
 
-/// What a vertex is to sound.
+/// What a vertex is to sound. The walls (and curves) that meet at a point cut the space around it into sectors; walls
+/// are two-sided, so every sector is free space, and at most one of them is wider than 180 degrees.
 enum class VertexKind : std::uint8_t {
-  concave,  ///< walls meet at less than 180 degrees of free space: no echo of its own, the images make it
-  convex,   ///< walls meet at more than 180 degrees: a weak diffracting point
-  end,      ///< the end of a wall that stands free: a weak diffracting point
+  concave,  ///< no sector is wider than 180 degrees: no echo of its own, the images make it
+  convex,   ///< one sector is: a weak diffracting point for whom it stands in, a concave corner for the others
+  end,      ///< the end of a wall or curve that stands free: a weak diffracting point from all sides
 };
 
+/// A point where walls end. Ends closer than 1e-6 m are the same point; an end on another wall's middle meets it there.
 struct Vertex {
   Vec2 point;
   VertexKind kind = VertexKind::end;
+  /// The sector it echoes into, counter-clockwise between these unit vectors; equal: all around.
+  Vec2 from;
+  Vec2 to;
+
+  /// Whether a point lies in that sector.
+  [[nodiscard]] bool echoes_to(Vec2 listener) const;
 };
 
 /// A bump of a rough wall: the same point for every ping.
@@ -102,13 +110,15 @@ struct RayHit {
   MaterialId material = 0;
 };
 
-class SpatialIndex;  // src/sim/spatial_index.hpp
+struct WorldModel;  // src/sim/world_model.hpp: the searchable form
 
 /// A checked world that answers "what does a ray meet" and "do two points see each other" in a time that hardly grows
 /// with its size. Immutable after `make`, so that any number of threads may ask at once.
 class World {
  public:
   static constexpr std::size_t max_walls = 1'000'000;
+  static constexpr std::size_t max_curve_points = 10'000'000;
+  static constexpr std::size_t max_scatterers = 20'000'000;
   static constexpr double max_coordinate_m = 1e5;
 
   /// Errors, each at the line of the object: a wall shorter than 1e-6 m, coordinates that are not finite or beyond
@@ -123,22 +133,23 @@ class World {
   [[nodiscard]] const WorldDescription& description() const;
   [[nodiscard]] std::span<const Vertex> vertices() const;
   [[nodiscard]] std::span<const Scatterer> scatterers() const;
-  [[nodiscard]] const SpatialIndex& index() const;
+  [[nodiscard]] const WorldModel& model() const;
   /// The moving discs where they are at a time.
   [[nodiscard]] std::vector<Disc> moving_at(double time_s) const;
 
   /// The nearest surface along a ray. `direction` of unit length; surfaces nearer than 1e-9 m are behind the eye.
+  /// One-sided walls are met from their left alone.
   [[nodiscard]] std::optional<RayHit> first_hit(Vec2 origin, Vec2 direction, double max_m,
                                                 std::span<const Disc> moving = {}) const;
-  /// Whether nothing stands between two points; the last 1e-6 m at both ends do not count.
+  /// Whether nothing stands between two points on the way from `a` to `b`; the last 1e-6 m at both ends do not count.
+  /// The order of the points matters to one-sided walls alone. A line along a wall is blocked by it.
   [[nodiscard]] bool visible(Vec2 a, Vec2 b, std::span<const Disc> moving = {}) const;
   /// Distance to the nearest surface, up to `max_m`; 0 inside a disc.
   [[nodiscard]] double clearance(Vec2 point, double max_m, std::span<const Disc> moving = {}) const;
 
  private:
-  struct Parts;
-  explicit World(std::unique_ptr<const Parts> parts);
-  std::unique_ptr<const Parts> parts_;
+  explicit World(std::unique_ptr<const WorldModel> model);
+  std::unique_ptr<const WorldModel> model_;
 };
 
 }  // namespace echoarc::sim
