@@ -13,7 +13,10 @@ std::span<const EchoPath> PathFinder::find(const Transducer& transmitter, const 
   PingSearch ping(world_->model(), transmitter, receiver, limits, moving, paths_);
   find_plane_paths(ping);
   find_disc_paths(ping);
+  find_curve_paths(ping);
   find_edge_paths(ping);
+  find_wall_edge_paths(ping);
+  find_bump_paths(ping);
   order_paths(paths_);
   return paths_;
 }

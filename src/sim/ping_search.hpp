@@ -63,6 +63,9 @@ struct Mirror {
 };
 
 void find_edge_paths(PingSearch& ping);
+void find_wall_edge_paths(PingSearch& ping);
+void find_bump_paths(PingSearch& ping);
+void find_curve_paths(PingSearch& ping);
 void find_disc_paths(PingSearch& ping);
 void find_plane_paths(PingSearch& ping);
 /// The echo of one disc, if it has one.

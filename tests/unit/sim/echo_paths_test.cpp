@@ -101,6 +101,71 @@ TEST(EchoPaths, EndsAndOutsideCornersEchoWeakly) {
   EXPECT_DOUBLE_EQ(found[0].gain_db, -15.0);
 }
 
+/// An arc around the origin, from -60 to 60 degrees, hollow towards it.
+SmoothCurve hollow(double radius_m) {
+  SmoothCurve curve;
+  const double end = std::numbers::pi / 3.0;
+  for (double a = -end; a <= end; a += 0.001 / radius_m) curve.points.push_back(radius_m * unit(radians(a)));
+  return curve;
+}
+
+TEST(EchoPaths, AHollowCurveEchoesAtItsNearestOrFurthestPoint) {
+  const WorldDescription world{.materials = {{.loss_db = 0.0}}, .curves = {hollow(2.0)}};
+  const auto nearest = paths(world, {0.5, 0.0}, {0.5, 0.0});  // before the centre: a minimum
+  expect_lengths(lengths(nearest, EchoCause::curve), {3.0}, 2e-6);
+  EXPECT_NEAR(nearest[0].gain_db, 10.0 * std::log10(2.0 / 0.5), 1e-3);
+  const auto furthest = paths(world, {-1.0, 0.0}, {-1.0, 0.0});  // beyond it: a maximum
+  expect_lengths(lengths(furthest, EchoCause::curve), {6.0}, 2e-6);
+  EXPECT_NEAR(furthest.back().gain_db, 10.0 * std::log10(2.0 / 1.0), 1e-3);
+  EXPECT_EQ(lengths(furthest, EchoCause::edge).size(), 2) << "its ends";
+}
+
+TEST(EchoPaths, ABulgingCurveSpreadsSound) {
+  const WorldDescription world{.materials = {{.loss_db = 0.0}}, .curves = {hollow(0.5)}};
+  const auto found = paths(world, {1.5, 0.0}, {1.5, 0.0});
+  expect_lengths(lengths(found, EchoCause::curve), {2.0}, 1e-6);
+  EXPECT_NEAR(found[0].gain_db, 10.0 * std::log10(0.5 / 1.5), 1e-3);
+}
+
+TEST(EchoPaths, AClosedCurveHasNoEnds) {
+  SmoothCurve ring;
+  for (int i = 0; i <= 1000; ++i) ring.points.push_back(0.3 * unit(radians(2.0 * std::numbers::pi * i / 1000.0)));
+  const auto found = paths({.curves = {ring}}, {1.0, 0.0}, {1.0, 0.0});
+  ASSERT_EQ(found.size(), 1);
+  EXPECT_NEAR(found[0].length_m, 1.4, 1e-9) << "at the joint";
+}
+
+TEST(EchoPaths, AWallAndAnEdge) {
+  // The floor y = 0 mirrors the sender; the post's lower end stands at (1, 1).
+  const WorldDescription world{.walls = {{{-3.0, 0.0}, {5.0, 0.0}}, {{1.0, 1.0}, {1.0, 2.0}}}};
+  const double direct = std::hypot(1.0, 0.5);
+  const double mirrored = std::hypot(1.0, 1.5);
+  const auto found = paths(world, {0.0, 0.5}, {0.0, 0.5});
+  std::vector<double> of_post;
+  for (const EchoPath& path : found)
+    if (path.cause == EchoCause::wall_edge && std::abs(path.length_m - direct - mirrored) < 1e-12)
+      of_post.push_back(path.gain_db);
+  EXPECT_EQ(of_post, (std::vector<double>{-15.5, -15.5})) << "the wall first, and the edge first";
+  for (const EchoPath& path : paths(world, {0.0, 0.5}, {0.0, 0.5}, {.max_order = 1})) EXPECT_EQ(path.reflections, 1);
+}
+
+TEST(EchoPaths, BumpsAreSeenFromTheirSideAlone) {
+  const WorldDescription world{.materials = {{.rough_db = -18.0}}, .walls = {{{-1.0, 1.0}, {1.0, 1.0}}}};
+  EXPECT_EQ(lengths(paths(world, {}, {}), EchoCause::scatterer).size(), 40);
+  EXPECT_EQ(lengths(paths(world, {}, {0.0, 2.0}), EchoCause::scatterer).size(), 0);
+}
+
+TEST(EchoPaths, MovingDiscsEchoAndHide) {
+  const World world = World::make({.walls = {{{2.0, -1.0}, {2.0, 1.0}}}}).value();
+  PathFinder finder(world);
+  const Transducer here{{}, {}, degrees(20.0)};
+  const std::vector<Disc> moving{{{1.0, 0.0}, 0.2}};
+  const auto found = finder.find(here, here, {}, moving);
+  ASSERT_EQ(found.size(), 1);
+  EXPECT_EQ(found[0].cause, EchoCause::disc);
+  EXPECT_DOUBLE_EQ(found[0].length_m, 1.6);
+}
+
 TEST(EchoPaths, AnOpenWorldIsSilent) {
   EXPECT_TRUE(paths({}, {}, {}).empty());
 }
