@@ -55,14 +55,14 @@ std::vector<sim::Material> read_materials(TomlFields& scene) {
   return materials;
 }
 
-sim::MaterialId read_material_name(TomlFields& object, const std::vector<sim::Material>& materials) {
-  const std::optional<std::string> name = object.text("material");
-  if (!name) return 0;
-  const auto found = std::ranges::find(materials, *name, &sim::Material::name);
+sim::MaterialId read_material_name(TomlFields& object, std::string_view key, std::string_view otherwise,
+                                   const std::vector<sim::Material>& materials) {
+  const std::string name = object.text(key).value_or(std::string(otherwise));
+  const auto found = std::ranges::find(materials, name, &sim::Material::name);
   if (found != materials.end()) return static_cast<sim::MaterialId>(found - materials.begin());
   std::vector<std::string_view> names;
   for (const sim::Material& material : materials) names.push_back(material.name);
-  fail_unknown(object, object.node("material"), "material", *name, names);
+  fail_unknown(object, object.node(key), "material", name, names);
   return 0;
 }
 

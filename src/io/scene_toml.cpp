@@ -14,6 +14,7 @@
 #include "io/files.hpp"
 #include "io/option_toml.hpp"
 #include "io/scene_drive.hpp"
+#include "io/scene_office.hpp"
 #include "io/scene_scoring_toml.hpp"
 #include "io/scene_world.hpp"
 #include "io/sensor_toml.hpp"
@@ -74,6 +75,17 @@ std::vector<sim::LaserOptions> read_lasers(TomlFields& scene, const RobotDescrip
   return lasers;
 }
 
+/// Whether a simulator will take the world; an error names file and line.
+Result<void> check_world(const sim::WorldDescription& description, std::string_view source) {
+  const Result<sim::World> world = sim::World::make(description);
+  if (world) return {};
+  Error error = world.error();
+  constexpr std::string_view line = "line ";
+  const bool at_line = error.where.starts_with(line);
+  error.where = at_line ? fmt::format("{}:{}", source, error.where.substr(line.size())) : std::string(source);
+  return error;
+}
+
 }  // namespace
 
 Result<SceneFile> read_scene(std::string_view text, std::string_view source) {
@@ -88,12 +100,14 @@ Result<SceneFile> read_scene(std::string_view text, std::string_view source) {
   scene.world = read_world(fields);
   scene.robot = read_robot(fields);
   scene.drive = read_drive(fields);
+  read_office(fields, scene);
   scene.sonar = read_option_table<sim::SonarOptions>(fields.table("sonar"), fields, "sonar");
   scene.odometry = read_option_table<sim::OdometryOptions>(fields.table("odometry"), fields, "odometry");
   scene.polling = read_option_table<sim::PollingOptions>(fields.table("polling"), fields, "polling");
   scene.lasers = read_lasers(fields, scene.robot);
   file.scoring = read_scoring(fields);
   if (const Result<void> done = fields.finish(); !done) return done.error();
+  if (const Result<void> checked = check_world(scene.world, source); !checked) return checked.error();
   return file;
 }
 

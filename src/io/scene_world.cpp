@@ -63,9 +63,13 @@ class WorldReader {
                   "leave some out");
   }
 
+  sim::MaterialId material_of(TomlFields& fields) {
+    return read_material_name(fields, "material", "wood", world_.materials);
+  }
+
   /// A polyline: a wall between every two neighbouring points.
   void add_wall(TomlFields& fields) {
-    const sim::MaterialId material = read_material_name(fields, world_.materials);
+    const sim::MaterialId material = material_of(fields);
     const bool one_sided = fields.boolean("one_sided").value_or(false);
     const bool closed = fields.boolean("closed").value_or(false);
     const std::vector<TomlPoint> points = read_points(fields, "points", 2);
@@ -78,7 +82,7 @@ class WorldReader {
 
   /// A rectangle that stands on the floor, seen from outside.
   void add_box(TomlFields& fields, std::uint64_t line) {
-    const sim::MaterialId material = read_material_name(fields, world_.materials);
+    const sim::MaterialId material = material_of(fields);
     const std::optional<Vec2> centre = read_point(fields, "centre");
     const std::optional<Vec2> size = read_point(fields, "size");
     const Angle turn = fields.angle("turn").value_or(Angle{});
@@ -96,7 +100,7 @@ class WorldReader {
   /// A row of vertical slats, each turned about its middle, to one side and the other in turn. The last is cut where
   /// the row ends.
   void add_slats(TomlFields& fields, std::uint64_t line) {
-    const sim::MaterialId material = read_material_name(fields, world_.materials);
+    const sim::MaterialId material = material_of(fields);
     const std::optional<Vec2> from = read_point(fields, "from");
     const std::optional<Vec2> to = read_point(fields, "to");
     const double width_m = required_length_m(fields, "width", 0.001, 1000.0);
@@ -120,20 +124,20 @@ class WorldReader {
   }
 
   void add_disc(TomlFields& fields, std::uint64_t line) {
-    const sim::MaterialId material = read_material_name(fields, world_.materials);
+    const sim::MaterialId material = material_of(fields);
     const std::optional<Vec2> centre = read_point(fields, "centre");
     const double radius_m = required_length_m(fields, "radius", 0.001, farthest_m);
     if (centre) world_.discs.push_back({*centre, radius_m, material, line});
   }
 
   void add_curve(TomlFields& fields, std::uint64_t line) {
-    const sim::MaterialId material = read_material_name(fields, world_.materials);
+    const sim::MaterialId material = material_of(fields);
     world_.curves.push_back({read_curve(fields), material, line});
     curve_samples_ += world_.curves.back().points.size();
   }
 
   void add_moving(TomlFields& fields, std::uint64_t line) {
-    sim::MovingDisc disc{.material = read_material_name(fields, world_.materials), .line = line};
+    sim::MovingDisc disc{.material = material_of(fields), .line = line};
     disc.radius_m = fields.length_m("radius", 0.001, 100.0).value_or(disc.radius_m);
     const bool given = fields.has("path");
     const toml::array* path = fields.array("path");
