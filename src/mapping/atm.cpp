@@ -106,7 +106,24 @@ std::size_t Atm<variant>::memory_bytes() const {
 }
 
 template <AtmVariant variant>
+ArcState Atm<variant>::state_of(ArcSlot slot) const {
+  return {
+      .arc = history_.arc(slot), .source = history_.source(slot), .crossed = medians_.median(history_, slot).count > 0};
+}
+
+template <AtmVariant variant>
+void Atm<variant>::visit_arcs(const ArcVisitor& visitor) const {
+  for (const ArcSlot slot : history_.in_time_order()) visitor(state_of(slot));
+}
+
+template <AtmVariant variant>
+bool Atm<variant>::history_full() const {
+  return history_.full();
+}
+
+template <AtmVariant variant>
 void Atm<variant>::see_off(ArcSlot slot) {
+  if (watcher_) watcher_(state_of(slot));
   if (options_.archive)
     if (const auto last = point_of(slot))
       archive_.add(last->point, std::span(last->support).first(last->support_count));

@@ -50,7 +50,20 @@ void Carve::take_echo(const Reading& reading) {
   ++counters_.used;
 }
 
+ArcState Carve::state_of(ArcSlot slot) const {
+  return echoarc::state_of(ring_->remains(slot));
+}
+
+void Carve::visit_arcs(const ArcVisitor& visitor) const {
+  for (const ArcSlot slot : ring_->history().in_time_order()) visitor(state_of(slot));
+}
+
+bool Carve::history_full() const {
+  return ring_->history().full();
+}
+
 void Carve::let_go(ArcSlot slot) {
+  if (watcher_) watcher_(state_of(slot));
   if (options_.archive) {
     add_point(ring_->remains(slot), error_limit_m(options_), map_);
     archived_ = map_.size();

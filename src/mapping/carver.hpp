@@ -87,6 +87,14 @@ class Carver {
   std::vector<ArcSlot> candidates_;
 };
 
+/// The arc as those see it who look into a method's history.
+[[nodiscard]] inline ArcState state_of(const Remains& remains) {
+  return {.arc = remains.arc(),
+          .source = remains.own,
+          .carved = !remains.dead && remains.carved(),
+          .removed = remains.dead};
+}
+
 /// Adds the point of an arc: the middle of what is left ([Silver04] eq. 3.6). Nothing for a removed arc, nor for one
 /// that leaves a larger error than `max_error_m`.
 void add_point(const Remains& remains, double max_error_m, PointMap& map);

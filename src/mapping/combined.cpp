@@ -81,7 +81,22 @@ void Combined::add_points(ArcSlot slot) {
   if (!has_median || shown_beside) add_point(remains, error_limit_m(options_), map_);
 }
 
+ArcState Combined::state_of(ArcSlot slot) const {
+  ArcState state = echoarc::state_of(state_->ring.remains(slot));
+  state.crossed = state_->medians.median(state_->ring.history(), slot).count > 0;
+  return state;
+}
+
+void Combined::visit_arcs(const ArcVisitor& visitor) const {
+  for (const ArcSlot slot : state_->ring.history().in_time_order()) visitor(state_of(slot));
+}
+
+bool Combined::history_full() const {
+  return state_->ring.history().full();
+}
+
 void Combined::let_go(ArcSlot slot) {
+  if (watcher_) watcher_(state_of(slot));
   const Remains& remains = state_->ring.remains(slot);
   const bool crossed = state_->medians.median(state_->ring.history(), slot).count > 0;
   if (!crossed && !remains.dead && !remains.carved()) ++state_->unprocessed;

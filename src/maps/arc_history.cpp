@@ -31,6 +31,11 @@ std::optional<ArcSlot> ArcHistory::leaving(SensorId sensor) const {
   return ring->second.front();
 }
 
+bool ArcHistory::full() const {
+  return !rings_.empty() &&
+         std::ranges::all_of(rings_, [&](const auto& ring) { return ring.second.size() >= capacity_; });
+}
+
 void ArcHistory::evict(ArcSlot slot) {
   assert(is_live(slot));
   const auto ring = rings_.find(ring_of(entries_[slot].source.sensor));

@@ -14,9 +14,9 @@
 namespace echoarc::studies {
 namespace {
 
-constexpr std::string_view curve = "e1_curve";
-constexpr std::string_view room_a = "e3_room_a";
-constexpr std::string_view room_c = "e4_room_c";
+constexpr std::string_view curve = "curve";
+constexpr std::string_view room_a = "room-a";
+constexpr std::string_view room_c = "room-c";
 
 /// The columns of a table as printed.
 struct Printed {

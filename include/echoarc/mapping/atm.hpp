@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "echoarc/mapping/atm_options.hpp"
@@ -59,6 +60,11 @@ class Atm {
   [[nodiscard]] std::vector<std::byte> save() const;
   [[nodiscard]] static Result<Atm> restore(std::span<const std::byte> bytes);
 
+  // See `ArcKeeping`.
+  void visit_arcs(const ArcVisitor& visitor) const;
+  [[nodiscard]] bool history_full() const;
+  void watch_leaving(ArcVisitor visitor) { watcher_ = std::move(visitor); }
+
   [[nodiscard]] const ArcHistory& history() const { return history_; }
   [[nodiscard]] const TransversalMedians& medians() const { return medians_; }
   /// Bytes that count against the memory limit.
@@ -68,6 +74,7 @@ class Atm {
   [[nodiscard]] std::optional<SupportedPoint> point_of(ArcSlot slot) const {
     return atm_point(variant, history_, medians_, slot, options_.small_d_center);
   }
+  [[nodiscard]] ArcState state_of(ArcSlot slot) const;
   void see_off(ArcSlot slot);
 
   Options options_;
@@ -76,6 +83,7 @@ class Atm {
   PointMap archive_;
   PointMap map_;
   InsertCounters counters_;
+  ArcVisitor watcher_;
 };
 
 using AtmOrg = Atm<AtmVariant::org>;
@@ -87,5 +95,6 @@ extern template class Atm<AtmVariant::mod>;
 extern template class Atm<AtmVariant::silver>;
 
 static_assert(MappingMethod<AtmOrg> && MappingMethod<AtmMod> && MappingMethod<AtmSilver>);
+static_assert(ArcKeeping<AtmOrg> && ArcKeeping<AtmMod> && ArcKeeping<AtmSilver>);
 
 }  // namespace echoarc

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "echoarc/mapping/carving_options.hpp"
@@ -74,8 +75,14 @@ class Carve {
   [[nodiscard]] std::vector<std::byte> save() const;
   [[nodiscard]] static Result<Carve> restore(std::span<const std::byte> bytes);
 
+  // See `ArcKeeping`.
+  void visit_arcs(const ArcVisitor& visitor) const;
+  [[nodiscard]] bool history_full() const;
+  void watch_leaving(ArcVisitor visitor) { watcher_ = std::move(visitor); }
+
  private:
   void take_echo(const Reading& reading);
+  [[nodiscard]] ArcState state_of(std::uint32_t slot) const;
   /// The arc leaves the ring; its point stays, if the map is a global one.
   void let_go(std::uint32_t slot);
 
@@ -83,9 +90,10 @@ class Carve {
   PointMap map_;  // archived points, then those of the ring, as of the last `finish`
   std::size_t archived_ = 0;
   InsertCounters counters_;
+  ArcVisitor watcher_;
   std::unique_ptr<CarvedRing> ring_;
 };
 
-static_assert(MappingMethod<Carve>);
+static_assert(MappingMethod<Carve> && ArcKeeping<Carve>);
 
 }  // namespace echoarc

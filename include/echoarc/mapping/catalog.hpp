@@ -31,6 +31,11 @@ class AnyMethod {
   [[nodiscard]] bool takes_laser_limited() const { return model_->takes_laser_limited(); }
   /// The method's own counts; empty for most.
   [[nodiscard]] std::vector<Tally> tallies() const { return model_->tallies(); }
+  /// Whether it lets others look into its history of arcs; without, the next three see nothing. See `ArcKeeping`.
+  [[nodiscard]] bool keeps_arcs() const { return model_->keeps_arcs(); }
+  void visit_arcs(const ArcVisitor& visitor) const { model_->visit_arcs(visitor); }
+  [[nodiscard]] bool history_full() const { return model_->history_full(); }
+  void watch_leaving(ArcVisitor visitor) { model_->watch_leaving(std::move(visitor)); }
   [[nodiscard]] Trace trace(const Reading& reading) const { return model_->trace(reading); }
   [[nodiscard]] bool supports(const Reading& reading, Vec2 position) const {
     return model_->supports(reading, position);
@@ -48,6 +53,10 @@ class AnyMethod {
     [[nodiscard]] virtual const InsertCounters& counters() const = 0;
     [[nodiscard]] virtual bool takes_laser_limited() const = 0;
     [[nodiscard]] virtual std::vector<Tally> tallies() const = 0;
+    [[nodiscard]] virtual bool keeps_arcs() const = 0;
+    virtual void visit_arcs(const ArcVisitor& visitor) const = 0;
+    [[nodiscard]] virtual bool history_full() const = 0;
+    virtual void watch_leaving(ArcVisitor visitor) = 0;
     [[nodiscard]] virtual Trace trace(const Reading& reading) const = 0;
     [[nodiscard]] virtual bool supports(const Reading& reading, Vec2 position) const = 0;
     [[nodiscard]] virtual std::vector<std::byte> save() const = 0;
@@ -68,6 +77,19 @@ class AnyMethod {
         return method.tallies();
       else
         return {};
+    }
+    [[nodiscard]] bool keeps_arcs() const override { return ArcKeeping<M>; }
+    void visit_arcs([[maybe_unused]] const ArcVisitor& visitor) const override {
+      if constexpr (ArcKeeping<M>) method.visit_arcs(visitor);
+    }
+    [[nodiscard]] bool history_full() const override {
+      if constexpr (ArcKeeping<M>)
+        return method.history_full();
+      else
+        return false;
+    }
+    void watch_leaving([[maybe_unused]] ArcVisitor visitor) override {
+      if constexpr (ArcKeeping<M>) method.watch_leaving(std::move(visitor));
     }
     [[nodiscard]] Trace trace(const Reading& reading) const override { return method.trace(reading); }
     [[nodiscard]] bool supports(const Reading& reading, Vec2 position) const override {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "echoarc/mapping/atm_options.hpp"
@@ -91,10 +92,16 @@ class Combined {
   [[nodiscard]] std::vector<std::byte> save() const;
   [[nodiscard]] static Result<Combined> restore(std::span<const std::byte> bytes);
 
+  // See `ArcKeeping`.
+  void visit_arcs(const ArcVisitor& visitor) const;
+  [[nodiscard]] bool history_full() const;
+  void watch_leaving(ArcVisitor visitor) { watcher_ = std::move(visitor); }
+
  private:
   class State;
 
   void take_echo(const Reading& reading);
+  [[nodiscard]] ArcState state_of(std::uint32_t slot) const;
   void let_go(std::uint32_t slot);
   void add_points(std::uint32_t slot);
 
@@ -102,6 +109,7 @@ class Combined {
   PointMap map_;  // archived points, then those of the ring, as of the last `finish`
   std::size_t archived_ = 0;
   InsertCounters counters_;
+  ArcVisitor watcher_;
   std::unique_ptr<State> state_;
 };
 
@@ -118,6 +126,6 @@ constexpr auto CombinedOptions::fields() {
       grid_fields<O>());
 }
 
-static_assert(MappingMethod<Combined>);
+static_assert(MappingMethod<Combined> && ArcKeeping<Combined>);
 
 }  // namespace echoarc

@@ -16,6 +16,7 @@
 #include "echoarc/core/executor.hpp"
 #include "echoarc/core/options.hpp"
 #include "echoarc/core/reading.hpp"
+#include "echoarc/maps/arc_state.hpp"
 #include "echoarc/maps/dense_grid.hpp"
 #include "echoarc/maps/point_map.hpp"
 
@@ -43,6 +44,21 @@ struct Tally {
 template <class M>
 concept Tallying = requires(const M method) {
   { method.tallies() } -> std::same_as<std::vector<Tally>>;
+};
+
+/// A method that works on a history of arcs and lets others look at it:
+///
+/// - `visit_arcs` shows the arcs of the history as things stand, oldest first.
+/// - `history_full` tells whether arcs leave it by now.
+/// - `watch_leaving` shows from then on every arc that leaves the history, in its last state; an empty visitor ends it.
+///   The watcher is no part of the method's state: `save` leaves it out.
+///
+/// Looking changes nothing, and costs nothing where nobody looks.
+template <class M>
+concept ArcKeeping = requires(M method, const M constant, ArcVisitor visitor) {
+  { constant.visit_arcs(visitor) } -> std::same_as<void>;
+  { constant.history_full() } -> std::same_as<bool>;
+  { method.watch_leaving(visitor) } -> std::same_as<void>;
 };
 
 /// A method that wants its readings shortened to what a laser saw nearer; see `LaserLimiter` of sensing.

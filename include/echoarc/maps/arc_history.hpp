@@ -50,6 +50,8 @@ class ArcHistory {
 
   [[nodiscard]] HistoryScope scope() const { return scope_; }
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
+  /// Whether every arc that enters now displaces another of its ring; never, where all arcs are kept.
+  [[nodiscard]] bool full() const;
   /// Arcs in the history.
   [[nodiscard]] std::size_t size() const { return size_; }
   /// Every slot ever given out is below this.

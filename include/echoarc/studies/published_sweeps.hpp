@@ -26,7 +26,7 @@ struct PublishedSweep {
   std::string id;      ///< "T2-vt", "F13-atm_org"
   std::string title;   ///< for people
   std::string source;  ///< "[Barshan07] Table 2"
-  std::string scene;   ///< name of the scene: "e3_room_a"
+  std::string scene;   ///< name of the scene: "room-a"
   std::string method;  ///< of the catalogue
   OptionMap fixed;     ///< options that the paper set beside
   std::string option;  ///< the one that varies
