@@ -90,6 +90,13 @@ bool JsonlRecords::range(std::string_view key, Value& value, double& out) {
   return fail_key(key, R"(is neither a number nor "no_echo", "too_close", "invalid")");
 }
 
+bool JsonlRecords::cause(Value& value, EchoCause& out) {
+  std::string_view word;
+  if (value.get_string().get(word) != simdjson::SUCCESS) return fail("cause is not a string");
+  out = echo_cause(word).value_or(EchoCause::unknown);  // a later version may know more
+  return true;
+}
+
 bool JsonlRecords::read_ping(Object& record, Log& log) {
   enum { t, tx, rx, range_m, count };
   std::bitset<count> seen;
@@ -102,6 +109,7 @@ bool JsonlRecords::read_ping(Object& record, Log& log) {
     if (is(key, "range")) return seen.set(range_m), range("range", value, ping.range_m);
     if (is(key, "tof")) return number("tof", value, ping.time_of_flight_s);
     if (is(key, "echo")) return id("echo", value, ping.echo_index);
+    if (is(key, "cause")) return cause(value, ping.cause);
     return true;
   });
   if (!read) return false;

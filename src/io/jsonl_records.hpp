@@ -47,6 +47,7 @@ class JsonlRecords {
   bool number(std::string_view key, Value& value, double& out);
   bool id(std::string_view key, Value& value, std::uint32_t& out);
   bool range(std::string_view key, Value& value, double& out);
+  bool cause(Value& value, EchoCause& out);
   bool fail(std::string_view cause);
   bool fail_key(std::string_view key, std::string_view cause);
 

@@ -77,6 +77,7 @@ void write_ping(LineWriter& out, const Ping& ping) {
   out.text(R"(,"range":)").range(ping.range_m);
   if (!std::isnan(ping.time_of_flight_s)) out.text(R"(,"tof":)").finite(ping.time_of_flight_s);
   if (ping.echo_index != 0) out.text(R"(,"echo":)").number(ping.echo_index);
+  if (ping.cause != EchoCause::unknown) out.text(R"(,"cause":")").text(name(ping.cause)).text("\"");
   out.text("}");
 }
 

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace echoarc {
@@ -32,6 +34,13 @@ inline constexpr std::array<std::string_view, 12> echo_cause_names{"unknown",   
 
 [[nodiscard]] constexpr std::string_view name(EchoCause cause) {
   return echo_cause_names[static_cast<std::size_t>(cause)];
+}
+
+/// The cause of that name, if there is one.
+[[nodiscard]] constexpr std::optional<EchoCause> echo_cause(std::string_view name) {
+  for (std::size_t k = 0; k < echo_cause_names.size(); ++k)
+    if (echo_cause_names[k] == name) return static_cast<EchoCause>(k);
+  return std::nullopt;
 }
 
 }  // namespace echoarc

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "echoarc/core/echo_cause.hpp"
 #include "echoarc/core/sensor_array.hpp"
 
 namespace echoarc {
@@ -48,7 +49,8 @@ struct Ping {
   SensorId rx = 0;
   double range_m = 0.0;
   double time_of_flight_s = std::numeric_limits<double>::quiet_NaN();
-  std::uint32_t echo_index = 0;  ///< 0: the first echo this receiver heard of the transmission
+  std::uint32_t echo_index = 0;          ///< 0: the first echo this receiver heard of the transmission
+  EchoCause cause = EchoCause::unknown;  ///< simulation only
   std::uint64_t line = 0;
 };
 

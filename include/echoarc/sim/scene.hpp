@@ -153,6 +153,7 @@ struct Scene {
   std::string name;
   std::string title;   ///< one line for people
   std::string source;  ///< the paper and section it follows, or empty
+  std::string file;    ///< what it was read from, for messages; or empty
   WorldDescription world;
   RobotDescription robot;
   Drive drive;

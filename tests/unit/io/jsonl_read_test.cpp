@@ -59,6 +59,18 @@ TEST(ReadJsonl, PingsKeepWhatTheHardwareSaid) {
   EXPECT_EQ(log->pings[4].range_m, -1.0);
 }
 
+TEST(ReadJsonl, CausesOfEchoes) {
+  const Result<Log> log =
+      read_text(std::string(one_sensor_header) + R"({"type":"ping","t":0,"tx":0,"rx":0,"range":1,"cause":"wall_edge"})"
+                                                 "\n"
+                                                 R"({"type":"ping","t":1,"tx":0,"rx":0,"range":1,"cause":"gravity"})"
+                                                 "\n");
+  ASSERT_TRUE(log);
+  ASSERT_EQ(log->pings.size(), 2U);
+  EXPECT_EQ(log->pings[0].cause, EchoCause::wall_edge);
+  EXPECT_EQ(log->pings[1].cause, EchoCause::unknown) << "a word of a later version";
+}
+
 TEST(ReadJsonl, OtherRecords) {
   const Result<Log> log = read_fixture("every_record.jsonl");
   ASSERT_TRUE(log);
@@ -125,6 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRecord{R"({"type":"ping","t":0,"tx":4294967296,"rx":0,"range":1})", "tx is not a whole number"},
         BadRecord{R"({"type":"ping","t":0,"tx":0,"rx":0,"range":"far"})", "\"no_echo\", \"too_close\", \"invalid\""},
         BadRecord{R"({"type":"ping","t":0,"tx":0,"rx":0,"range":Infinity})", "range is neither"},
+        BadRecord{R"({"type":"ping","t":0,"tx":0,"rx":0,"range":1,"cause":3})", "cause is not a string"},
         BadRecord{R"({"type":"ping","t":0,"tx":0,"rx":0,"range":1.5)", "not a JSON object"},
         BadRecord{R"({"type":"scan","t":0,"angle_min":0,"angle_step":1,"ranges":[1e39]})", "too large"},
         BadRecord{R"({"type":"scan","t":0,"angle_min":0,"angle_step":1,"ranges":7})", "ranges is not a list"},

@@ -27,7 +27,7 @@ bool same(const Odometry& a, const Odometry& b) {
 }
 bool same(const Ping& a, const Ping& b) {
   return same(a.time_s, b.time_s) && a.tx == b.tx && a.rx == b.rx && same(a.range_m, b.range_m) &&
-         same(a.time_of_flight_s, b.time_of_flight_s) && a.echo_index == b.echo_index;
+         same(a.time_of_flight_s, b.time_of_flight_s) && a.echo_index == b.echo_index && a.cause == b.cause;
 }
 bool same(const Scan& a, const Scan& b) {
   const auto same_beam = [](float p, float q) { return same(p, q); };
@@ -114,6 +114,7 @@ Log any_log() {
                 any_range(),
                 *rc::gen::element(0.01, std::numeric_limits<double>::quiet_NaN()),
                 *rc::gen::inRange(0U, 3U),
+                *rc::gen::element(EchoCause::unknown, EchoCause::wall, EchoCause::cross_talk, EchoCause::outlier),
                 0};
   });
   log.scans =

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "echoarc/sim/simulate.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "echoarc/core/speed_of_sound.hpp"
+#include "sim/recording.hpp"
+#include "sim/registers.hpp"
+#include "sim/scene_checks.hpp"
+
+namespace echoarc::sim {
+namespace {
+
+/// "line 12" of "room.toml" is "room.toml:12".
+Error in_file(Error error, const std::string& file) {
+  constexpr std::string_view line = "line ";
+  if (file.empty()) return error;
+  if (error.where.starts_with(line))
+    error.where = file + ":" + error.where.substr(line.size());
+  else
+    error.where = error.where.empty() ? file : file + ", " + error.where;
+  return error;
+}
+
+/// Registers in place of pings.
+void poll(const Run& run, Simulation& simulation) {
+  const Scene& scene = run.scene;
+  const double speed_m_s = speed_of_sound_m_s(scene.sonar.assumed_temperature_k);
+  double last_time_out_s = 0.0;
+  for (const Sensor& sensor : scene.robot.sensors.sensors())
+    last_time_out_s = std::max(last_time_out_s, 2.0 * sensor.model.range_max_m / speed_m_s);
+  simulation.log.polls = poll_registers(scene.robot.sensors, simulation.log.pings, scene.polling.rate_hz,
+                                        run.schedule.end_s() + last_time_out_s, speed_m_s);
+  simulation.polled_pings = std::exchange(simulation.log.pings, {});
+}
+
+/// The measured times are the simulator's own: a robot's log has ranges, in its steps.
+void forget_flight_times(std::vector<Ping>& pings) {
+  for (Ping& ping : pings) ping.time_of_flight_s = std::numeric_limits<double>::quiet_NaN();
+}
+
+Result<Simulation> record(const Run& run) {
+  Simulation simulation;
+  Log& log = simulation.log;
+  log.source = run.scene.name;
+  log.temperature_k = run.scene.sonar.assumed_temperature_k;
+  log.robot = run.scene.robot;
+  if (const Result<void> recorded = record_poses(run, log); !recorded) return recorded.error();
+  if (!record_pings(run, simulation))
+    return Error{ErrorCode::interrupted, "interrupted before the drive was over", "", "run it again"};
+  if (const Result<void> recorded = record_scans(run, log); !recorded) return recorded.error();
+  record_wall(run, log);
+  if (run.scene.polling.polled) poll(run, simulation);
+  forget_flight_times(log.pings);
+  forget_flight_times(simulation.polled_pings);
+  simulation.report.path_m = run.plan.trajectory.length_m();
+  simulation.report.duration_s = run.schedule.end_s();
+  return simulation;
+}
+
+Result<Simulation> run_scene(const Scene& scene, std::uint64_t seed, const SimulationHost& host) {
+  if (const Result<void> checked = check_scene(scene); !checked) return checked.error();
+  const Result<World> world = World::make(scene.world);
+  if (!world) return world.error();
+  const std::size_t sensors = scene.robot.sensors.size();
+  const Result<DrivePlan> plan = plan_drive(scene.drive, static_cast<double>(sensors) * scene.sonar.interval_s);
+  if (!plan) return plan.error();
+  if (const Result<void> free = check_clearance(*world, plan->trajectory, scene.robot.radius_m); !free)
+    return free.error();
+  const Result<FiringSchedule> schedule =
+      FiringSchedule::make(*plan, sensors, scene.sonar.interval_s, scene.drive.dwell_s);
+  if (!schedule) return schedule.error();
+  return record({scene, *world, *plan, *schedule, seed, host});
+}
+
+}  // namespace
+
+Result<Simulation> simulate(const Scene& scene, std::uint64_t seed, const SimulationHost& host) {
+  Result<Simulation> simulation = run_scene(scene, seed, host);
+  if (!simulation) return in_file(simulation.error(), scene.file);
+  return simulation;
+}
+
+}  // namespace echoarc::sim
