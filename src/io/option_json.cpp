@@ -43,18 +43,22 @@ Json property_schema(const OptionSpec& spec) {
 
 }  // namespace
 
+Json option_properties(std::span<const OptionSpec> specs) {
+  Json properties = Json::object();
+  for (const OptionSpec& spec : specs) properties[std::string(spec.name)] = property_schema(spec);
+  return properties;
+}
+
 std::string options_json(const OptionMap& values) {
   return to_json(values).dump();
 }
 
 std::string option_schema(std::string_view title, std::span<const OptionSpec> specs) {
-  Json properties = Json::object();
-  for (const OptionSpec& spec : specs) properties[std::string(spec.name)] = property_schema(spec);
   const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                        {"title", title},
                        {"type", "object"},
                        {"additionalProperties", false},
-                       {"properties", properties}};
+                       {"properties", option_properties(specs)}};
   return schema.dump(2) + "\n";
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <span>
 #include <variant>
 
 #include <nlohmann/json.hpp>
@@ -20,5 +21,8 @@ namespace echoarc::io {
   for (const auto& [name, value] : values) json[name] = to_json(value);
   return json;
 }
+
+/// The JSON Schema of every option, by name, in order of declaration.
+[[nodiscard]] nlohmann::ordered_json option_properties(std::span<const OptionSpec> specs);
 
 }  // namespace echoarc::io

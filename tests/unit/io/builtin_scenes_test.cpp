@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -43,6 +44,27 @@ TEST(BuiltinScenes, AllRobotsAreRead) {
     EXPECT_GT(robot->radius_m, 0.0);
   }
   EXPECT_FALSE(builtin_robot("no such robot"));
+}
+
+/// Straight legs, sampled every 2 cm: the robot's body touches nothing that stands.
+TEST(BuiltinScenes, DrivesStayClearOfWalls) {
+  for (const BuiltinText& text : builtin_scenes()) {
+    const sim::Scene scene = scene_of(text.name).scene;
+    const auto world = sim::World::make(scene.world);
+    ASSERT_TRUE(world) << text.name;
+    Vec2 at = scene.drive.start.position;
+    EXPECT_GE(world->clearance(at, 1.0), scene.robot.radius_m) << text.name << " starts in a wall";
+    for (const sim::DriveLeg& leg : scene.drive.legs) {
+      if (!leg.to) continue;
+      const Vec2 way = *leg.to - at;
+      const int steps = static_cast<int>(norm(way) / 0.02) + 1;
+      double least_m = 1.0;
+      for (int i = 1; i <= steps; ++i) least_m = std::min(least_m, world->clearance(at + way * (1.0 * i / steps), 1.0));
+      EXPECT_GE(least_m, scene.robot.radius_m) << text.name << ", leg to " << leg.to->x << ", " << leg.to->y;
+      EXPECT_TRUE(world->visible(at, *leg.to)) << text.name;
+      at = *leg.to;
+    }
+  }
 }
 
 /// How many lines of a span no surface of the world crosses.
