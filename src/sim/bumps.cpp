@@ -31,11 +31,15 @@ class Track {
     for (std::size_t i = 1; i < points_.size(); ++i) gone_m_[i] = gone_m_[i - 1] + norm(points_[i] - points_[i - 1]);
   }
   [[nodiscard]] double length_m() const { return gone_m_.back(); }
-  /// The point that lies `offset_m` to the left of the track after `distance_m`. Distances must not fall.
-  [[nodiscard]] Vec2 beside(double distance_m, double offset_m) {
+  struct Place {
+    Vec2 point;
+    Vec2 left;  // unit
+  };
+  /// Where the track is after `distance_m`. Distances must not fall.
+  [[nodiscard]] Place at(double distance_m) {
     while (piece_ + 2 < points_.size() && gone_m_[piece_ + 1] < distance_m) ++piece_;
     const Vec2 along = (points_[piece_ + 1] - points_[piece_]) / (gone_m_[piece_ + 1] - gone_m_[piece_]);
-    return points_[piece_] + (distance_m - gone_m_[piece_]) * along + offset_m * perpendicular(along);
+    return {points_[piece_] + (distance_m - gone_m_[piece_]) * along, perpendicular(along)};
   }
 
  private:
@@ -53,10 +57,11 @@ void place_on(Track track, const Material& material, std::uint64_t seed, std::ui
   const std::size_t count = count_on(track, material);
   for (std::size_t i = 0; i < count; ++i) {
     Rng rng = bump_rng(seed, surface, right, i);
-    const double place =
-        (static_cast<double>(i) + 0.5 + rng.uniform(-jitter_share, jitter_share)) * material.rough_pitch_m;
-    const double offset_m = rng.uniform(lowest_m, highest_m);
-    points.push_back({track.beside(place, right ? -offset_m : offset_m), rng.normal(*material.rough_db, spread_db)});
+    const double shift = rng.uniform(-jitter_share, jitter_share);
+    const Track::Place place = track.at((static_cast<double>(i) + 0.5 + shift) * material.rough_pitch_m);
+    const Vec2 facing = right ? -place.left : place.left;
+    const double height_m = rng.uniform(lowest_m, highest_m);
+    points.push_back({place.point + height_m * facing, facing, rng.normal(*material.rough_db, spread_db)});
   }
 }
 

@@ -133,8 +133,12 @@ class CurveSearch {
 }  // namespace
 
 void find_curve_paths(PingSearch& ping) {
-  for (const SmoothCurve& curve : ping.world.description.curves)
-    CurveSearch(ping, curve).search(0, static_cast<std::ptrdiff_t>(curve.points.size()));
+  const SpatialIndex& index = ping.world.index;
+  ping.for_each_lit(ping.sender_view(), [&](std::uint32_t item) {
+    if (item < index.first_chunk() || item >= index.first_disc()) return;
+    const CurveChunk& chunk = index.chunks()[item - index.first_chunk()];
+    CurveSearch(ping, ping.world.description.curves[chunk.curve]).search(chunk.first, chunk.last);
+  });
 }
 
 }  // namespace echoarc::sim

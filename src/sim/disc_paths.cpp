@@ -43,8 +43,7 @@ double mirror_bearing(Vec2 sender, Vec2 listener, double radius_m) {
   return start + share * turn;
 }
 
-}  // namespace
-
+/// The echo of one disc, if it has one.
 void find_disc_path(PingSearch& ping, const Disc& disc) {
   const Vec2 sender = ping.sender.position - disc.centre;
   const Vec2 listener = ping.listener.position - disc.centre;
@@ -57,13 +56,18 @@ void find_disc_path(PingSearch& ping, const Disc& disc) {
   if (dot(sender - r * out, out) <= 0.0 || dot(listener - r * out, out) <= 0.0) return;
   const double length_m = norm(sender - r * out) + norm(listener - r * out);
   if (length_m > ping.limits.max_length_m || !ping.sender.hears(point) || !ping.listener.hears(point)) return;
-  if (!ping.sees(ping.sender.position, point) || !ping.sees(point, ping.listener.position)) return;
+  if (!ping.sees(ping.sender.position, point) || !(ping.one_place || ping.sees(point, ping.listener.position))) return;
   const double gain_db = 10.0 * std::log10(r / (r + length_m / 2.0)) - ping.world.loss_db(disc.material);
   ping.add(point, point, length_m, gain_db, EchoCause::disc, 1);
 }
 
+}  // namespace
+
 void find_disc_paths(PingSearch& ping) {
-  for (const Disc& disc : ping.world.description.discs) find_disc_path(ping, disc);
+  ping.for_each_lit(ping.sender_view(), [&](std::uint32_t item) {
+    if (item >= ping.world.index.first_disc())
+      find_disc_path(ping, ping.world.description.discs[item - ping.world.index.first_disc()]);
+  });
   for (const Disc& disc : ping.moving) find_disc_path(ping, disc);
 }
 

@@ -3,22 +3,38 @@
 
 #include "echoarc/sim/echo_paths.hpp"
 
+#include "sim/edge_paths.hpp"
 #include "sim/ping_search.hpp"
+#include "sim/plane_paths.hpp"
 
 namespace echoarc::sim {
 
+struct PathFinder::Workspace {
+  explicit Workspace(const WorldModel& world) : ping(world, paths) {}
+
+  std::vector<EchoPath> paths;
+  PingSearch ping;
+  PlaneSearch planes;
+  EdgeSearch edges;
+};
+
+PathFinder::PathFinder(const World& world) : workspace_(std::make_unique<Workspace>(world.model())) {}
+PathFinder::PathFinder(PathFinder&&) noexcept = default;
+PathFinder& PathFinder::operator=(PathFinder&&) noexcept = default;
+PathFinder::~PathFinder() = default;
+
 std::span<const EchoPath> PathFinder::find(const Transducer& transmitter, const Transducer& receiver,
                                            const PathLimits& limits, std::span<const Disc> moving) {
-  paths_.clear();
-  PingSearch ping(world_->model(), transmitter, receiver, limits, moving, paths_);
-  find_plane_paths(ping);
+  PingSearch& ping = workspace_->ping;
+  ping.start(transmitter, receiver, limits, moving);
   find_disc_paths(ping);
   find_curve_paths(ping);
-  find_edge_paths(ping);
-  find_wall_edge_paths(ping);
   find_bump_paths(ping);
-  order_paths(paths_);
-  return paths_;
+  workspace_->edges.run(ping);
+  workspace_->planes.run(ping);
+  order_paths(workspace_->paths);
+  if (!ping.within_bounds()) ++truncated_;
+  return workspace_->paths;
 }
 
 }  // namespace echoarc::sim

@@ -1,58 +1,86 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "sim/ping_search.hpp"
+#include "sim/edge_paths.hpp"
+
+#include <algorithm>
 
 namespace echoarc::sim {
 
-namespace {
-
-/// Sound that a point throws back.
-void echo_of_point(PingSearch& ping, Vec2 point, double gain_db, EchoCause cause) {
-  const Vec2 from = ping.sender.position;
-  const Vec2 to = ping.listener.position;
-  const double length_m = norm(point - from) + norm(point - to);
-  if (length_m > ping.limits.max_length_m || !ping.sender.hears(point) || !ping.listener.hears(point)) return;
-  if (ping.sees(from, point) && ping.sees(point, to)) ping.add(point, point, length_m, gain_db, cause, 1);
+void EdgeSearch::run(PingSearch& ping) {
+  see_vertices(ping, ping.sender, ping.sender_view(), true, from_sender_);
+  if (!ping.one_place) see_vertices(ping, ping.listener, ping.listener_view(), false, from_listener_);
+  find_edges(ping);
+  if (ping.limits.max_order < 2) return;
+  find_wall_edges(ping, true);
+  if (!ping.one_place) find_wall_edges(ping, false);
 }
 
-void echo_of_wall_and_edge(PingSearch& ping, const Wall& wall, const Vertex& vertex, bool wall_first) {
+/// Vertices at the ends of what an ear's view lights.
+void EdgeSearch::see_vertices(PingSearch& ping, const Ear& ear, const View& view, bool outward,
+                              std::vector<std::uint32_t>& seen) {
+  seen.clear();
+  ping.vertex_marks.forget();
+  const Topology& topology = ping.world.topology;
+  const SpatialIndex& index = ping.world.index;
+  const auto look_at = [&](std::uint32_t v) {
+    if (!ping.vertex_marks.mark(v)) return;
+    const Vertex& vertex = topology.vertices[v];
+    if (!vertex.echoes_to(ear.position) || !ear.hears(vertex.point) || !view.may_see(vertex.point)) return;
+    if (outward ? ping.sees(ear.position, vertex.point) : ping.sees(vertex.point, ear.position)) seen.push_back(v);
+  };
+  ping.for_each_lit(view, [&](std::uint32_t item) {
+    if (item < index.first_chunk())
+      for (const std::uint32_t v : topology.ends_of_wall[item]) look_at(v);
+    else if (item < index.first_disc())
+      for (const std::uint32_t v : topology.ends_of_curve[index.chunks()[item - index.first_chunk()].curve]) look_at(v);
+  });
+}
+
+void EdgeSearch::find_edges(PingSearch& ping) {
+  ping.vertex_marks.forget();
+  if (!ping.one_place)
+    for (const std::uint32_t v : from_listener_) ping.vertex_marks.mark(v);
+  for (const std::uint32_t v : from_sender_) {
+    if (!ping.one_place && ping.vertex_marks.mark(v)) continue;
+    const Vec2 point = ping.world.topology.vertices[v].point;
+    const double length_m = norm(point - ping.sender.position) + norm(point - ping.listener.position);
+    if (length_m <= ping.limits.max_length_m)
+      ping.add(point, point, length_m, ping.limits.edge_gain_db, EchoCause::edge, 1);
+  }
+}
+
+void EdgeSearch::find_wall_edges(PingSearch& ping, bool wall_first) {
+  walls_.clear();
+  const Ear& near_wall = wall_first ? ping.sender : ping.listener;
+  ping.for_each_lit(wall_first ? ping.sender_view() : ping.listener_view(), [&](std::uint32_t item) {
+    if (item < ping.world.index.first_chunk() && ping.world.mirrors[item].reflects(near_wall.position))
+      walls_.push_back(item);
+  });
+  const bool sender_sees = !wall_first || ping.one_place;
+  for (const std::uint32_t wall : walls_)
+    for (const std::uint32_t v : sender_sees ? from_sender_ : from_listener_) {
+      if (!ping.count_image()) return;
+      find_wall_edge(ping, wall, ping.world.topology.vertices[v], wall_first);
+    }
+}
+
+void EdgeSearch::find_wall_edge(PingSearch& ping, std::uint32_t wall, const Vertex& vertex, bool wall_first) {
   const Ear& near_wall = wall_first ? ping.sender : ping.listener;
   const Ear& near_edge = wall_first ? ping.listener : ping.sender;
-  const Mirror mirror(wall);
-  if (!mirror.reflects(near_wall.position) || !mirror.reflects(vertex.point)) return;
-  const Vec2 image = mirror.image(near_wall.position);
-  const double length_m = norm(image - vertex.point) + norm(vertex.point - near_edge.position);
+  const Mirror& mirror = ping.world.mirrors[wall];
   Vec2 bounce;
-  if (length_m > ping.limits.max_length_m || !mirror.bounce(vertex.point, image, bounce)) return;
-  if (!near_wall.hears(bounce) || !near_edge.hears(vertex.point)) return;
-  if (!vertex.echoes_to(bounce) || !vertex.echoes_to(near_edge.position)) return;
+  const Vec2 image = mirror.image(near_wall.position);
+  if (!mirror.reflects(vertex.point) || !mirror.bounce(vertex.point, image, bounce)) return;
+  const double length_m = norm(image - vertex.point) + norm(vertex.point - near_edge.position);
+  if (length_m > ping.limits.max_length_m || !near_wall.hears(bounce) || !vertex.echoes_to(bounce)) return;
   const Vec2 first = wall_first ? bounce : vertex.point;
   const Vec2 last = wall_first ? vertex.point : bounce;
-  if (!ping.sees(ping.sender.position, first) || !ping.sees(first, last) || !ping.sees(last, ping.listener.position))
-    return;
-  ping.add(first, last, length_m, ping.limits.edge_gain_db - ping.world.loss_db(wall.material), EchoCause::wall_edge,
-           2);
-}
-
-}  // namespace
-
-void find_edge_paths(PingSearch& ping) {
-  for (const Vertex& vertex : ping.world.topology.vertices)
-    if (vertex.echoes_to(ping.sender.position) && vertex.echoes_to(ping.listener.position))
-      echo_of_point(ping, vertex.point, ping.limits.edge_gain_db, EchoCause::edge);
-}
-
-void find_wall_edge_paths(PingSearch& ping) {
-  if (ping.limits.max_order < 2) return;
-  for (const Wall& wall : ping.world.description.walls)
-    for (const Vertex& vertex : ping.world.topology.vertices)
-      for (const bool wall_first : {true, false}) echo_of_wall_and_edge(ping, wall, vertex, wall_first);
-}
-
-void find_bump_paths(PingSearch& ping) {
-  for (const Scatterer& bump : ping.world.bumps.points)
-    echo_of_point(ping, bump.point, bump.gain_db, EchoCause::scatterer);
+  if (wall_first ? !ping.sees(ping.sender.position, bounce) : !ping.sees(bounce, ping.listener.position)) return;
+  if (!ping.sees(first, last)) return;
+  const double gain_db = ping.limits.edge_gain_db - ping.world.loss_db(ping.world.description.walls[wall].material);
+  ping.add(first, last, length_m, gain_db, EchoCause::wall_edge, 2);
+  if (ping.one_place) ping.add(last, first, length_m, gain_db, EchoCause::wall_edge, 2);
 }
 
 }  // namespace echoarc::sim

@@ -32,29 +32,41 @@ bool Ear::hears(Vec2 point) const {
   return distance_m > touch_m && dot(way, axis) >= cos_window * distance_m;
 }
 
+void Marks::forget() {
+  if (++round_ == 0) {  // the count wrapped around
+    std::ranges::fill(marked_in_, 0);
+    round_ = 1;
+  }
+}
+
+PingSearch::PingSearch(const WorldModel& model, std::vector<EchoPath>& found)
+    : world(model),
+      paths(found),
+      sweep(model),
+      vertex_marks(model.topology.vertices.size()),
+      curve_marks(model.description.curves.size()),
+      item_marks_(model.index.count()) {}
+
+void PingSearch::start(const Transducer& transmitter, const Transducer& receiver, const PathLimits& path_limits,
+                       std::span<const Disc> discs) {
+  sender = Ear(transmitter);
+  listener = Ear(receiver);
+  limits = path_limits;
+  limits.max_order = std::clamp(limits.max_order, 1, PathLimits::highest_order);
+  moving = discs;
+  images = 0;
+  work = 0;
+  paths.clear();
+  one_place = !world.has_one_sided && transmitter.position == receiver.position && transmitter.axis == receiver.axis &&
+              transmitter.half_window == receiver.half_window;
+  const double reach = 0.5 * (limits.max_length_m + norm(sender.position - listener.position));
+  sender_view_.look(transmitter, false, reach, sweep, work);
+  if (!one_place) listener_view_.look(receiver, true, reach, sweep, work);
+}
+
 void PingSearch::add(Vec2 first, Vec2 last, double length_m, double gain_db, EchoCause cause, std::size_t reflections) {
   paths.push_back({length_m, bearing(first - sender.position), bearing(last - listener.position), gain_db, cause,
                    static_cast<std::uint8_t>(reflections)});
-}
-
-Mirror::Mirror(const Wall& wall) : a(wall.a), direction(wall.b - wall.a), one_sided(wall.one_sided) {
-  length_m = norm(direction);
-  direction = direction / length_m;
-}
-
-bool Mirror::reflects(Vec2 source) const {
-  const double s = side(source);
-  return one_sided ? s > touch_m : std::abs(s) > touch_m;
-}
-
-bool Mirror::bounce(Vec2 target, Vec2 image, Vec2& point) const {
-  const double behind = side(image);
-  const double before = side(target);
-  // In an apex the target lies on the wall itself, give or take the rounding.
-  if ((behind < 0.0 ? before : -before) < -touch_m) return false;
-  point = target + before / (before - behind) * (image - target);
-  const double along = dot(point - a, direction);
-  return along >= -touch_m && along <= length_m + touch_m;
 }
 
 void order_paths(std::vector<EchoPath>& paths) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "echoarc/sim/echo_paths.hpp"
+#include "sim/view.hpp"
 #include "sim/world_model.hpp"
 
 namespace echoarc::sim {
@@ -18,58 +19,80 @@ struct Ear {
   Vec2 axis;
   double cos_window = -1.0;
 
+  Ear() = default;
   explicit Ear(const Transducer& transducer);
   [[nodiscard]] bool hears(Vec2 point) const;
 };
 
-/// One ping: who sends, who listens, what is wanted, what was found.
-struct PingSearch {
-  PingSearch(const WorldModel& world_model, const Transducer& transmitter, const Transducer& receiver,
-             const PathLimits& path_limits, std::span<const Disc> moving_discs, std::vector<EchoPath>& found)
-      : world(world_model),
-        sender(transmitter),
-        listener(receiver),
-        limits(path_limits),
-        moving(moving_discs),
-        paths(found) {}
+/// Marks numbers once per round; forgets all in no time.
+class Marks {
+ public:
+  explicit Marks(std::size_t size) : marked_in_(size, 0) {}
+  void forget();
+  /// True for the first call with this number since `forget`.
+  bool mark(std::uint32_t number) { return std::exchange(marked_in_[number], round_) != round_; }
+
+ private:
+  std::vector<std::uint32_t> marked_in_;
+  std::uint32_t round_ = 1;
+};
+
+/// One ping: who sends, who listens, what is wanted, what was found. Keeps its buffers from ping to ping.
+class PingSearch {
+ public:
+  PingSearch(const WorldModel& model, std::vector<EchoPath>& found);
+
+  /// Looks around from both ends.
+  void start(const Transducer& transmitter, const Transducer& receiver, const PathLimits& path_limits,
+             std::span<const Disc> discs);
 
   const WorldModel& world;
+  std::vector<EchoPath>& paths;
   Ear sender;
   Ear listener;
-  const PathLimits& limits;
+  PathLimits limits;
   std::span<const Disc> moving;
-  std::vector<EchoPath>& paths;
+  bool one_place = false;  ///< sender and listener share place and window, and every way can be gone backwards
 
-  [[nodiscard]] bool sees(Vec2 a, Vec2 b) const { return world.visible(a, b, moving); }
+  [[nodiscard]] const View& sender_view() const { return sender_view_; }
+  [[nodiscard]] const View& listener_view() const { return one_place ? sender_view_ : listener_view_; }
+  /// Visits the items lit from one end, each once.
+  template <class Visit>
+  void for_each_lit(const View& view, const Visit& visit) {
+    item_marks_.forget();
+    for (const View::Sector& sector : view.sectors())
+      for (const Lit& lit : sector.lit)
+        if (item_marks_.mark(lit.item)) visit(lit.item);
+  }
+  /// Distance from an eye beyond which no path turns back in time.
+  [[nodiscard]] double reach_m(Vec2 eye) const { return 0.5 * (limits.max_length_m + norm(eye - listener.position)); }
+
+  [[nodiscard]] bool sees(Vec2 a, Vec2 b) { return world.visible(a, b, moving, work) && within_bounds(); }
   /// Adds sender -> first -> ... -> last -> listener.
   void add(Vec2 first, Vec2 last, double length_m, double gain_db, EchoCause cause, std::size_t reflections);
+  /// Counts an image; false when the ping's bound on work is met.
+  bool count_image() {
+    ++images;
+    return within_bounds();
+  }
+  [[nodiscard]] bool within_bounds() const { return images <= PathFinder::max_images && work <= PathFinder::max_items; }
+
+  std::uint64_t images = 0;
+  std::uint64_t work = 0;  ///< items looked at
+  BeamSweep sweep;
+  Marks vertex_marks;
+  Marks curve_marks;
+
+ private:
+  View sender_view_;
+  View listener_view_;
+  Marks item_marks_;
 };
 
-/// A wall that mirrors a source: its image, and where on the wall a listener sees it.
-struct Mirror {
-  Vec2 a;
-  Vec2 direction;  ///< from a to b, unit
-  double length_m = 0.0;
-  bool one_sided = false;
-
-  explicit Mirror(const Wall& wall);
-  /// Distance from the wall's line, positive on the left.
-  [[nodiscard]] double side(Vec2 p) const { return cross(direction, p - a); }
-  /// Whether a source stands where the wall mirrors it. A source on the wall's line makes no echo.
-  [[nodiscard]] bool reflects(Vec2 source) const;
-  [[nodiscard]] Vec2 image(Vec2 source) const { return source - 2.0 * side(source) * perpendicular(direction); }
-  /// Where a straight line from `target` to the image `image` meets the wall; false: beside it, or from behind.
-  [[nodiscard]] bool bounce(Vec2 target, Vec2 image, Vec2& point) const;
-};
-
-void find_edge_paths(PingSearch& ping);
-void find_wall_edge_paths(PingSearch& ping);
-void find_bump_paths(PingSearch& ping);
-void find_curve_paths(PingSearch& ping);
 void find_disc_paths(PingSearch& ping);
-void find_plane_paths(PingSearch& ping);
-/// The echo of one disc, if it has one.
-void find_disc_path(PingSearch& ping, const Disc& disc);
+void find_curve_paths(PingSearch& ping);
+/// Bumps of rough walls and curves.
+void find_bump_paths(PingSearch& ping);
 /// Sorts by length and keeps one of those that are the same path.
 void order_paths(std::vector<EchoPath>& paths);
 

@@ -1,73 +1,84 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <array>
+#include "sim/plane_paths.hpp"
 
-#include "sim/ping_search.hpp"
+#include <algorithm>
 
 namespace echoarc::sim {
 
-namespace {
+void PlaneSearch::run(PingSearch& ping) {
+  last_walls_.clear();
+  ping.for_each_lit(ping.listener_view(), [&](std::uint32_t item) {
+    if (item < ping.world.index.first_chunk() && ping.world.mirrors[item].reflects(ping.listener.position))
+      last_walls_.push_back(item);
+  });
+  listen(ping, ping.sender.position, 0);
+  if (ping.limits.max_order < 2 || last_walls_.empty()) return;
+  for (const View::Sector& sector : ping.sender_view().sectors()) reflect(ping, sector.beam, sector.lit, 0);
+}
 
-class PlaneSearch {
- public:
-  explicit PlaneSearch(PingSearch& ping) : ping_(ping) {
-    for (const Wall& wall : ping.world.description.walls) mirrors_.emplace_back(wall);
+/// Everything that a beam lights mirrors it on.
+void PlaneSearch::reflect(PingSearch& ping, const Beam& beam, const std::vector<Lit>& lit, std::size_t depth) {
+  for (const Lit& one : lit) {
+    if (one.item >= ping.world.index.first_chunk()) continue;
+    const Mirror& mirror = ping.world.mirrors[one.item];
+    if (depth > 0 && !ping.world.mirrors[walls_[depth - 1]].lights(mirror, beam.eye)) continue;
+    if (!mirror.reflects(beam.eye)) continue;
+    walls_[depth] = one.item;
+    images_[depth] = mirror.image(beam.eye);
+    listen(ping, images_[depth], depth + 1);
+    if (static_cast<int>(depth) + 2 >= ping.limits.max_order || !ping.within_bounds()) continue;
+    Level& level = levels_[depth];
+    Beam next = reflected(beam, one.item, mirror, one.low, one.high);
+    next.reach_m = ping.reach_m(next.eye);
+    ping.sweep.sweep(next, level.depth, level.lit, ping.work);
+    reflect(ping, next, level.lit, depth + 1);
   }
+}
 
-  void reflect(Vec2 source, std::size_t depth) {
-    for (std::uint32_t w = 0; w < mirrors_.size(); ++w) {
-      if ((depth > 0 && walls_[depth - 1] == w) || !mirrors_[w].reflects(source)) continue;
-      walls_[depth] = w;
-      images_[depth] = mirrors_[w].image(source);
-      listen(depth + 1);
-      if (static_cast<int>(depth) + 1 < ping_.limits.max_order) reflect(images_[depth], depth + 1);
-    }
+/// All walls that the listener may hear, as the last after `depth` reflections that made `source`.
+void PlaneSearch::listen(PingSearch& ping, Vec2 source, std::size_t depth) {
+  for (const std::uint32_t wall : last_walls_) {
+    const Mirror& mirror = ping.world.mirrors[wall];
+    if (depth > 0 && !ping.world.mirrors[walls_[depth - 1]].lights(mirror, source)) continue;
+    if (!mirror.reflects(source)) continue;
+    if (!ping.count_image()) return;
+    walls_[depth] = wall;
+    images_[depth] = mirror.image(source);
+    follow_back(ping, depth + 1);
   }
+}
 
- private:
-  /// Backwards from the listener through the images.
-  void listen(std::size_t order) {
-    const Vec2 ear = ping_.listener.position;
-    const double length_m = norm(images_[order - 1] - ear);
-    if (length_m > ping_.limits.max_length_m) return;
-    Vec2 target = ear;
-    for (std::size_t k = order; k-- > 0;) {
-      if (!mirrors_[walls_[k]].bounce(target, images_[k], bounces_[k])) return;
-      target = bounces_[k];
-    }
-    if (!ping_.listener.hears(bounces_[order - 1]) || !ping_.sender.hears(bounces_[0])) return;
-    Vec2 from = ping_.sender.position;
-    for (std::size_t k = 0; k < order; ++k) {
-      if (!ping_.sees(from, bounces_[k])) return;
-      from = bounces_[k];
-    }
-    if (!ping_.sees(from, ear)) return;
-    double loss_db = 0.0;
-    for (std::size_t k = 0; k < order; ++k)
-      loss_db += ping_.world.loss_db(ping_.world.description.walls[walls_[k]].material);
-    ping_.add(bounces_[0], bounces_[order - 1], length_m, -loss_db, cause(order), order);
+/// From the listener back through the images; then forth, whether nothing stands in the way.
+void PlaneSearch::follow_back(PingSearch& ping, std::size_t order) {
+  const Vec2 ear = ping.listener.position;
+  const double squared_length = squared_norm(images_[order - 1] - ear);
+  if (squared_length > ping.limits.max_length_m * ping.limits.max_length_m) return;
+  Vec2 target = ear;
+  for (std::size_t k = order; k-- > 0;) {
+    if (!ping.world.mirrors[walls_[k]].bounce(target, images_[k], bounces_[k])) return;
+    target = bounces_[k];
   }
-
-  [[nodiscard]] EchoCause cause(std::size_t order) const {
-    if (order == 1) return EchoCause::wall;
-    for (std::size_t k = 1; k < order; ++k)
-      if (!ping_.world.share_vertex(walls_[k - 1], walls_[k])) return EchoCause::multiple;
-    return EchoCause::corner;
+  if (!ping.listener.hears(bounces_[order - 1]) || !ping.sender.hears(bounces_[0])) return;
+  Vec2 from = ping.sender.position;
+  for (std::size_t k = 0; k < order; ++k) {
+    if (!ping.sees(from, bounces_[k])) return;
+    from = bounces_[k];
   }
+  // A single echo to where it came from goes back the way it came.
+  if (!(order == 1 && ping.one_place) && !ping.sees(from, ear)) return;
+  double loss_db = 0.0;
+  for (std::size_t k = 0; k < order; ++k)
+    loss_db += ping.world.loss_db(ping.world.description.walls[walls_[k]].material);
+  ping.add(bounces_[0], bounces_[order - 1], std::sqrt(squared_length), -loss_db, cause(ping.world, order), order);
+}
 
-  PingSearch& ping_;
-  std::vector<Mirror> mirrors_;
-  std::array<std::uint32_t, PathLimits::highest_order> walls_{};
-  std::array<Vec2, PathLimits::highest_order> images_{};
-  std::array<Vec2, PathLimits::highest_order> bounces_{};
-};
-
-}  // namespace
-
-void find_plane_paths(PingSearch& ping) {
-  PlaneSearch(ping).reflect(ping.sender.position, 0);
+EchoCause PlaneSearch::cause(const WorldModel& world, std::size_t order) const {
+  if (order == 1) return EchoCause::wall;
+  for (std::size_t k = 1; k < order; ++k)
+    if (!world.share_vertex(walls_[k - 1], walls_[k])) return EchoCause::multiple;
+  return EchoCause::corner;
 }
 
 }  // namespace echoarc::sim

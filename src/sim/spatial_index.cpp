@@ -34,7 +34,9 @@ std::vector<CurveChunk> chunks_of(std::span<const SmoothCurve> curves) {
 
 SpatialIndex::SpatialIndex(const WorldDescription& description)
     : chunks_(chunks_of(description.curves)), discs_(description.discs) {
-  for (const Wall& wall : description.walls) segments_.push_back({wall.a, wall.b - wall.a, wall.one_sided});
+  for (const Wall& wall : description.walls)
+    segments_.push_back(
+        {wall.a, wall.b - wall.a, wall.one_sided, description.materials[wall.material].rough_db.has_value()});
   for (const SmoothCurve& curve : description.curves) curves_.emplace_back(curve.points);
   choose_cells();
   const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
@@ -188,9 +190,10 @@ SpatialIndex::Hit SpatialIndex::first_hit(Ray ray) const {
   return hit;
 }
 
-bool SpatialIndex::blocked(const Ray& ray) const {
+bool SpatialIndex::blocked(const Ray& ray, std::uint64_t& work) const {
   bool found = false;
   walk(ray, [&](std::span<const std::uint32_t> cell, double /*leave*/) {
+    work += cell.size();
     found = std::ranges::any_of(cell, [&](std::uint32_t item) { return crossing_of(ray, item) < never; });
     return !found;
   });

@@ -28,6 +28,7 @@ struct Segment {
   Vec2 a;
   Vec2 along;  ///< b - a
   bool one_sided = false;
+  bool rough = false;
 };
 
 /// A run of consecutive facets of a curve and a circle around them.
@@ -61,6 +62,8 @@ class SpatialIndex {
   [[nodiscard]] std::uint32_t first_chunk() const { return static_cast<std::uint32_t>(segments_.size()); }
   [[nodiscard]] std::uint32_t first_disc() const { return first_chunk() + static_cast<std::uint32_t>(chunks_.size()); }
 
+  [[nodiscard]] std::uint32_t count() const { return first_disc() + static_cast<std::uint32_t>(discs_.size()); }
+
   struct Cell {
     int x = 0;
     int y = 0;
@@ -80,8 +83,8 @@ class SpatialIndex {
     std::uint32_t item = 0;
   };
   [[nodiscard]] Hit first_hit(Ray ray) const;
-  /// Whether any item stands on the ray.
-  [[nodiscard]] bool blocked(const Ray& ray) const;
+  /// Whether any item stands on the ray. Adds the number of items looked at to `work`.
+  [[nodiscard]] bool blocked(const Ray& ray, std::uint64_t& work) const;
   /// Distance from a point to an item; 0 inside a disc.
   [[nodiscard]] double distance(Vec2 point, std::uint32_t item) const;
   [[nodiscard]] double nearest(Vec2 point, double max_m) const;
@@ -97,7 +100,6 @@ class SpatialIndex {
   template <class Visit>
   void walk(const Ray& ray, const Visit& visit) const;
   [[nodiscard]] Box box_of(std::uint32_t item) const;
-  [[nodiscard]] std::uint32_t count() const { return first_disc() + static_cast<std::uint32_t>(discs_.size()); }
 
   std::vector<Segment> segments_;
   std::vector<CurveChunk> chunks_;

@@ -38,12 +38,12 @@ MaterialId WorldModel::material_of(std::uint32_t item) const {
   return description.discs[item - index.first_disc()].material;
 }
 
-bool WorldModel::visible(Vec2 a, Vec2 b, std::span<const Disc> moving) const {
+bool WorldModel::visible(Vec2 a, Vec2 b, std::span<const Disc> moving, std::uint64_t& work) const {
   const double length_m = norm(b - a);
   if (length_m <= 2.0 * leg_end_m) return true;
   const Ray ray{a, (b - a) / length_m, leg_end_m, length_m - leg_end_m};
   if (std::ranges::any_of(moving, [&](const Disc& disc) { return crossing(ray, disc) < never; })) return false;
-  return !index.blocked(ray);
+  return !index.blocked(ray, work);
 }
 
 bool WorldModel::share_vertex(std::uint32_t wall, std::uint32_t other) const {
@@ -70,6 +70,10 @@ Result<World> World::make(WorldDescription description) {
   Result<Bumps> bumps = place_bumps(model->description);
   if (!bumps) return bumps.error();
   model->bumps = std::move(bumps).value();
+  for (const Wall& wall : model->description.walls) {
+    model->mirrors.emplace_back(wall);
+    model->has_one_sided = model->has_one_sided || wall.one_sided;
+  }
   return World(std::move(model));
 }
 

@@ -11,6 +11,7 @@
 
 #include "echoarc/core/result.hpp"
 #include "echoarc/sim/world.hpp"
+#include "sim/mirror.hpp"
 #include "sim/spatial_index.hpp"
 
 namespace echoarc::sim {
@@ -47,11 +48,18 @@ struct WorldModel {
   SpatialIndex index;
   Topology topology;
   Bumps bumps;
+  std::vector<Mirror> mirrors;  ///< of walls
+  bool has_one_sided = false;   ///< then whether a sees b may differ from whether b sees a
 
   [[nodiscard]] MaterialId material_of(std::uint32_t item) const;
   [[nodiscard]] double loss_db(MaterialId material) const { return description.materials[material].loss_db; }
   /// `World::visible`.
-  [[nodiscard]] bool visible(Vec2 a, Vec2 b, std::span<const Disc> moving) const;
+  [[nodiscard]] bool visible(Vec2 a, Vec2 b, std::span<const Disc> moving) const {
+    std::uint64_t work = 0;
+    return visible(a, b, moving, work);
+  }
+  /// Adds the number of items looked at to `work`.
+  [[nodiscard]] bool visible(Vec2 a, Vec2 b, std::span<const Disc> moving, std::uint64_t& work) const;
   /// Whether one vertex belongs to both walls; an end on the other's middle does.
   [[nodiscard]] bool share_vertex(std::uint32_t wall, std::uint32_t other) const;
 };

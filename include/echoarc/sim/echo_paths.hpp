@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "echoarc/core/angle.hpp"
 #include "echoarc/core/echo_cause.hpp"
@@ -41,24 +41,37 @@ struct PathLimits {
 };
 
 /// Finds the echo paths of pings by the method of images. One per thread: it keeps its buffers.
+///
+/// A transducer on a wall (within 1e-9 m of its line) hears nothing of that wall; one inside a disc hears nothing at
+/// all from outside. Swapping transmitter and receiver swaps departures and arrivals and changes nothing else, as long
+/// as no wall is one-sided.
 class PathFinder {
  public:
-  /// Images tried per ping at most; beyond it the search ends and `truncated` counts. The bound on the work of a ping.
-  static constexpr std::size_t max_images = 100'000;
+  /// The bound on the work of a ping: images tried, and walls looked at in the search for them and for obstacles.
+  /// Beyond either the search ends with what it has, and `truncated` counts.
+  static constexpr std::uint64_t max_images = 100'000;
+  static constexpr std::uint64_t max_items = 5'000'000;
 
   /// `world` must outlive the finder.
-  explicit PathFinder(const World& world) : world_(&world) {}
+  explicit PathFinder(const World& world);
+  PathFinder(PathFinder&& other) noexcept;
+  PathFinder& operator=(PathFinder&& other) noexcept;
+  ~PathFinder();
 
   /// All paths from `transmitter` to `receiver`, in the order of their lengths (ties: by cause, then departure).
-  /// Valid until the next call.
+  /// Valid until the next call. An order outside of 1 ... `highest_order` counts as the nearest legal one.
+  ///
+  /// Every way is listed once. From one place into an acute corner sound goes round both ways: two paths of one length,
+  /// departures and arrivals swapped. Into a right corner both go through the apex and are one path.
   [[nodiscard]] std::span<const EchoPath> find(const Transducer& transmitter, const Transducer& receiver,
                                                const PathLimits& limits, std::span<const Disc> moving = {});
 
+  /// Pings that met the bound.
   [[nodiscard]] std::uint64_t truncated() const { return truncated_; }
 
  private:
-  const World* world_;
-  std::vector<EchoPath> paths_;
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
   std::uint64_t truncated_ = 0;
 };
 

@@ -98,10 +98,13 @@ struct Vertex {
   [[nodiscard]] bool echoes_to(Vec2 listener) const;
 };
 
-/// A bump of a rough wall: the same point for every ping.
+/// A bump of a rough wall or curve: the same point for every ping.
 struct Scatterer {
   Vec2 point;
+  Vec2 facing;  ///< unit normal of its side of the wall; it echoes into the half plane before it
   double gain_db = 0.0;
+
+  [[nodiscard]] bool echoes_to(Vec2 listener) const { return dot(listener - point, facing) > 0.0; }
 };
 
 /// What a ray met first.
