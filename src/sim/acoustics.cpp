@@ -56,11 +56,19 @@ Angle PistonBeam::first_null() const {
   return radians(std::asin(std::min(1.0, first_zero_of_j1 / wave_number_radius_)));
 }
 
+namespace {
+
+Angle half_window_of(const SonarOptions& options, const PistonBeam& beam) {
+  if (options.listening == Listening::all) return degrees(90.0);
+  return radians(std::asin(std::min(1.0, window_factor * 2.0 * std::numbers::pi / beam.wave_number_radius())));
+}
+
+}  // namespace
+
 Acoustics::Acoustics(const SonarOptions& options)
     : speed_of_sound_m_s_(echoarc::speed_of_sound_m_s(options.temperature_k)),
       beam_(sim::wave_number_radius(options)),
-      half_window_(
-          radians(std::asin(std::min(1.0, window_factor * 2.0 * std::numbers::pi / beam_.wave_number_radius())))),
+      half_window_(half_window_of(options, beam_)),
       threshold_db_(options.threshold_db),
       flat_range_m_(options.flat_range_m),
       residual_db_per_m_(options.residual_db_per_m),

@@ -53,7 +53,8 @@ class Acoustics {
   [[nodiscard]] double speed_of_sound_m_s() const { return speed_of_sound_m_s_; }
   [[nodiscard]] const PistonBeam& beam() const { return beam_; }
   /// How far off its axis a transducer need listen: 25 degrees for a beam with its first zero at 12.2, past two side
-  /// lobes; wider in proportion (of the sines) for wider beams.
+  /// lobes; wider in proportion (of the sines) for wider beams. Where all sensors listen, 90 degrees: the main lobe of
+  /// one and a far side lobe of its neighbour together pass the threshold.
   [[nodiscard]] Angle half_window() const { return half_window_; }
   /// For paths to `max_length_m`.
   [[nodiscard]] PathLimits limits(double max_length_m) const;

@@ -105,6 +105,7 @@ TEST(Acoustics, ThresholdLeavesTheFirstSideLobeJustOut) {
 
 TEST(Acoustics, TheWindowGrowsWithTheBeam) {
   EXPECT_NEAR(Acoustics{SonarOptions{}}.half_window().deg(), 25.0, 1e-4);
+  EXPECT_NEAR(Acoustics{SonarOptions{.listening = Listening::all}}.half_window().deg(), 90.0, 1e-9);
   EXPECT_NEAR(Acoustics{SonarOptions{.aperture_radius_m = 0.001}}.half_window().deg(), 90.0, 1e-9);
 }
 
