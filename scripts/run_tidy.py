@@ -58,13 +58,13 @@ def fingerprint(entry: dict) -> str:
 
 
 def flags_of(entry: dict) -> list[str]:
-    """The compiler's flags without the names of the files of one compilation."""
+    """The compiler's flags without the names of the files of one compilation, a precompiled header's among them."""
     words = dropwhile(lambda word: not word.startswith("-"), shlex.split(entry["command"]))  # [launcher] compiler -...
     kept = []
     for word in words:
-        if word in ("-o", "-c", "-MT", "-MF"):
+        if word in ("-o", "-c", "-MT", "-MF", "-include"):
             next(words)
-        elif word != "-MD":
+        elif word not in ("-MD", "-Winvalid-pch"):
             kept.append(word)
     return kept
 

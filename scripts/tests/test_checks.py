@@ -202,6 +202,8 @@ class Tidy(unittest.TestCase):
         given = "'-DA=x y' -Iinclude -isystem /usr/include/b -std=c++20"
         self.assertEqual(run_tidy.flags_of(self.entry("/src/core/a.cpp", given)), flags)
         self.assertEqual(run_tidy.flags_of(self.entry("/src/core/a.cpp", given, launcher="ccache ")), flags)
+        precompiled = given + " -Winvalid-pch -include /build/cmake_pch.hxx"
+        self.assertEqual(run_tidy.flags_of(self.entry("/src/core/a.cpp", precompiled)), flags)
 
     def test_a_folder_with_the_same_flags_is_read_together(self):
         entries = [self.entry(f"/src/core/{name}.cpp") for name in "ab"]
