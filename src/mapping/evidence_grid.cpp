@@ -68,7 +68,7 @@ Trace EvidenceGrid::trace(const Reading& reading) const {
   scratch.for_each_tile([&](Map::TileIndex t, const Map::Tile&) {
     if (const Map::Tile* present = grid_.find(t)) *scratch.find(t) = *present;
   });
-  const FittedBeam& beam = planner.beam_of(reading);
+  const WeightedModel beam = planner.model_of(reading);
   apply_stripe(planner.plan(), scratch, 0, 1);
 
   const auto describe = [&](Cell cell) {
@@ -101,7 +101,7 @@ bool EvidenceGrid::supports(const Reading& reading, Vec2 position) const {
   const auto reach = planner.reach_of(reading);
   if (!reach || !reach->echo_m) return false;
   const Vec2 centre = grid_.geometry().centre(grid_.geometry().cell_of(position));
-  return exact_increment(planner.beam_of(reading), *reach, centre) > 0;
+  return exact_increment(planner.model_of(reading), *reach, centre) > 0;
 }
 
 std::vector<std::byte> EvidenceGrid::save() const {

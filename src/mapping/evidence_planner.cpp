@@ -70,7 +70,7 @@ void UpdatePlan::clear() {
   spots.clear();
 }
 
-int exact_increment(const FittedBeam& beam, const BeamReach& reach, Vec2 cell_centre) {
+int exact_increment(const WeightedModel& beam, const BeamReach& reach, Vec2 cell_centre) {
   const double distance_m = reach.rim.half_path_m(cell_centre);
   const Angle theta = wrap(bearing(cell_centre - reach.rim.centre()) - reach.rim.axis());
   if (reach.echo_m && distance_m >= reach.free_to_m)
@@ -105,24 +105,26 @@ std::optional<BeamReach> EvidenceGrid::Planner::reach_of(const Reading& reading)
   return reach;
 }
 
-const FittedBeam& EvidenceGrid::Planner::beam_of(const Reading& reading) {
+WeightedModel EvidenceGrid::Planner::model_of(const Reading& reading) const {
   const auto echo_m = echo_range_m(reading.outcome);
   const double range_m = echo_m.value_or(std::min(reading.trusted_range_m, reading.range_max_m));
   const double amplitude = options_.range_confidence ? std::max(0.0, 1.0 - range_m / reading.range_max_m) : 1.0;
-  const double free_weight = echo_m ? 1.0 : options_.no_echo_weight;
-  const Angle half_width = 0.5 * reading.beam_width;
-  for (const CachedBeam& cached : beams_)
-    if (cached.half_width == half_width && cached.amplitude == amplitude && cached.free_weight == free_weight)
-      return cached.fitted;
-  const InverseSonarModel model{.profile = options_.profile,
-                                .half_width = half_width,
-                                .angular_sigma = options_.angular_sigma,
-                                .range_sigma_m = options_.range_sigma_m,
-                                .occupied_peak = 0.5 + amplitude * (options_.occupied_peak - 0.5),
-                                .free_floor = 0.5 - amplitude * (0.5 - options_.free_floor)};
+  return {.model = {.profile = options_.profile,
+                    .half_width = 0.5 * reading.beam_width,
+                    .angular_sigma = options_.angular_sigma,
+                    .range_sigma_m = options_.range_sigma_m,
+                    .occupied_peak = 0.5 + amplitude * (options_.occupied_peak - 0.5),
+                    .free_floor = 0.5 - amplitude * (0.5 - options_.free_floor)},
+          .free_weight = echo_m ? 1.0 : options_.no_echo_weight};
+}
+
+const FittedBeam& EvidenceGrid::Planner::beam_of(const Reading& reading) {
+  const WeightedModel wanted = model_of(reading);
+  for (const FittedBeam& fitted : beams_)
+    if (fitted == wanted) return fitted;
   if (beams_.size() >= max_cached_beams && plan_.beams.empty()) beams_.clear();
-  beams_.push_back({half_width, amplitude, free_weight, fit_beam(model, free_weight)});
-  return beams_.back().fitted;
+  beams_.push_back(fit_beam(wanted.model, wanted.free_weight));
+  return beams_.back();
 }
 
 kernels::Runs EvidenceGrid::Planner::add_rows(const BeamReach& reach) {
@@ -157,7 +159,7 @@ bool EvidenceGrid::Planner::add_groups(std::int32_t j_first, UpdateGroup::Range 
   return true;
 }
 
-void EvidenceGrid::Planner::rows_to_spots(std::size_t first_group, const BeamReach& reach, const FittedBeam& beam) {
+void EvidenceGrid::Planner::rows_to_spots(std::size_t first_group, const BeamReach& reach, const WeightedModel& beam) {
   const PlannedRows& rows = plan_.rows;
   for (std::size_t g = first_group; g < plan_.groups.size(); ++g) {
     UpdateGroup& group = plan_.groups[g];

@@ -97,32 +97,26 @@ class EvidenceGrid::Planner {
   /// Adds the reading to the plan. False when the grid cannot hold its cells; the plan is then unchanged.
   [[nodiscard]] bool add(const Reading& reading, const BeamReach& reach, Map& grid);
   [[nodiscard]] UpdatePlan& plan() { return plan_; }
-  /// The model of a reading with its weight for free cells.
-  [[nodiscard]] const FittedBeam& beam_of(const Reading& reading);
+  [[nodiscard]] WeightedModel model_of(const Reading& reading) const;
 
  private:
-  struct CachedBeam {
-    Angle half_width;
-    double amplitude = 1.0;
-    double free_weight = 1.0;
-    FittedBeam fitted;
-  };
-
+  /// The model of a reading, fitted.
+  [[nodiscard]] const FittedBeam& beam_of(const Reading& reading);
   /// Plans the rows of the sector under the reading's rim; returns which they are.
   [[nodiscard]] kernels::Runs add_rows(const BeamReach& reach);
   /// Groups the latest rows by rows of tiles and makes those tiles exist; false when they cannot.
   [[nodiscard]] bool add_groups(std::int32_t j_first, UpdateGroup::Range rows, Map& grid);
   /// Makes single cells of the rows of the latest groups, which no kernel covers.
-  void rows_to_spots(std::size_t first_group, const BeamReach& reach, const FittedBeam& beam);
+  void rows_to_spots(std::size_t first_group, const BeamReach& reach, const WeightedModel& beam);
 
   EvidenceGridOptions options_;
   SectorRaster raster_;
-  std::deque<CachedBeam> beams_;  // references stay valid while it grows
+  std::deque<FittedBeam> beams_;  // references stay valid while it grows
   UpdatePlan plan_;
 };
 
 /// The change of one cell as the model has it, in units; 0 where the reading says nothing.
-[[nodiscard]] int exact_increment(const FittedBeam& beam, const BeamReach& reach, Vec2 cell_centre);
+[[nodiscard]] int exact_increment(const WeightedModel& beam, const BeamReach& reach, Vec2 cell_centre);
 
 /// Makes the changes of the plan in every row of tiles with `tile_j() mod stripes == stripe`.
 void apply_stripe(const UpdatePlan& plan, EvidenceGrid::Map& grid, std::size_t stripe, std::size_t stripes);

@@ -183,7 +183,7 @@ std::optional<kernels::BandModel> fit_band(const InverseSonarModel& model,
 }  // namespace
 
 FittedBeam fit_beam(const InverseSonarModel& model, double free_weight) {
-  FittedBeam beam{model, free_weight, {}, {}};
+  FittedBeam beam{{model, free_weight}, {}, {}};
   const double edge = sin(model.half_width) * sin(model.half_width);
   // Rounding must not push the last check point out of the beam, where the factor is 0.
   const auto angle_of = [&](double sin_squared) {

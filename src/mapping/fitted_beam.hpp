@@ -24,17 +24,22 @@ namespace echoarc {
 /// 180 degrees, certainties near 1): then cells are computed one by one from the model.
 using FittedFree = std::variant<std::monostate, std::int16_t, kernels::FixedPolynomial, kernels::Polynomial>;
 
-/// An inverse sonar model in the form the kernels evaluate, in units of the grid.
-struct FittedBeam {
+/// A model and what multiplies its log-odds of free cells (silence clears with less weight than an echo).
+struct WeightedModel {
   InverseSonarModel model;
   double free_weight = 1.0;
+
+  friend bool operator==(const WeightedModel&, const WeightedModel&) = default;
+};
+
+/// An inverse sonar model in the form the kernels evaluate, in units of the grid.
+struct FittedBeam : WeightedModel {
   FittedFree free;
   std::optional<kernels::BandModel> band;  ///< absent like `free`
 
   [[nodiscard]] bool complete() const { return free.index() != 0 && band.has_value(); }
 };
 
-/// `free_weight` multiplies the log-odds of free cells (silence clears with less weight than an echo).
 [[nodiscard]] FittedBeam fit_beam(const InverseSonarModel& model, double free_weight);
 
 /// What the kernel makes of z, in units.

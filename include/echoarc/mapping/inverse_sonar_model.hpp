@@ -45,6 +45,8 @@ struct InverseSonarModel {
   [[nodiscard]] double band_probability(double range_error_m, Angle theta) const;
   /// p(occupied) between the sensor and the band.
   [[nodiscard]] double free_probability(Angle theta) const;
+
+  friend bool operator==(const InverseSonarModel&, const InverseSonarModel&) = default;
 };
 
 /// ln(p / (1 - p)).
