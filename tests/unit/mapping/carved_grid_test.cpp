@@ -130,7 +130,7 @@ TEST(CarvedGrid, DamagedStatesAreRefused) {
   Rng rng(3);
   const std::vector<Reading> readings = test::random_readings(rng, 12);
   for (const CarvedGridMode mode : {CarvedGridMode::sensor_profile, CarvedGridMode::deferred}) {
-    const auto bytes = mapped<CarvedGrid>(readings, {.cell_m = 0.5, .max_memory_mib = 8, .mode = mode}).save();
+    const auto bytes = mapped<CarvedGrid>(readings, {.cell_m = 0.5, .max_memory_mib = 4, .mode = mode}).save();
     for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 16)
       EXPECT_FALSE(CarvedGrid::restore(std::span(bytes).first(size))) << size;
     for (int k = 0; k < 600; ++k) {

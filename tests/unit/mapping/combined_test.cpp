@@ -132,7 +132,7 @@ TEST(Combined, StandingStillAndJumping) {
 TEST(Combined, DamagedStatesAreRefused) {
   Rng rng(5);
   const std::vector<Reading> readings = drive(5);
-  const std::vector<std::byte> bytes = mapped<Combined>(readings, {.history = 30}).save();
+  const std::vector<std::byte> bytes = mapped<Combined>(std::span(readings).subspan(280, 40), {.history = 12}).save();
   for (std::size_t size = 0; size < bytes.size(); size += 31)
     EXPECT_FALSE(Combined::restore(std::span(bytes).first(size))) << size;
   for (int k = 0; k < 2'000; ++k) {
@@ -140,7 +140,7 @@ TEST(Combined, DamagedStatesAreRefused) {
     damaged[rng.below(damaged.size())] = std::byte(rng.below(256));
     if (Result<Combined> method = Combined::restore(damaged)) {
       InlineExecutor here;
-      method->insert(std::span(readings).first(40), here);
+      method->insert(std::span(readings).first(12), here);
       method->finish(here);
     }
   }
