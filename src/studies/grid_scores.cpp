@@ -22,11 +22,12 @@ DenseGrid<CellState> scene_truth(const StudyScene& scene, double cell_m) {
 }
 
 Result<std::vector<GridScore>> score_grids(const StudyScene& scene, std::uint64_t seed, std::vector<AnyMethod> methods,
-                                           const DenseGrid<CellState>& truth, bool keep_states) {
+                                           const DenseGrid<CellState>& truth, bool keep_states,
+                                           const SensingOptions& sensing) {
   Result<sim::Simulation> simulation = sim::simulate(scene.scene, seed);
   if (!simulation) return simulation.error();
   InlineExecutor executor;
-  static_cast<void>(run_log(simulation->log, {}, methods, executor));  // the maps are in the methods
+  static_cast<void>(run_log(simulation->log, sensing, methods, executor));  // the maps are in the methods
   std::vector<GridScore> scores;
   for (const AnyMethod& method : methods) {
     Result<MapExport> map = method.export_map();

@@ -7,6 +7,7 @@
 
 #include "echoarc/eval/free_cells.hpp"
 #include "echoarc/mapping/catalog.hpp"
+#include "echoarc/sensing/sensing_options.hpp"
 #include "echoarc/studies/map_picture.hpp"
 #include "echoarc/studies/study_host.hpp"
 
@@ -25,7 +26,8 @@ struct GridScore {
 /// Simulates the scene and gives its log to all methods. Scores in the order of the methods.
 [[nodiscard]] Result<std::vector<GridScore>> score_grids(const StudyScene& scene, std::uint64_t seed,
                                                          std::vector<AnyMethod> methods,
-                                                         const DenseGrid<CellState>& truth, bool keep_states);
+                                                         const DenseGrid<CellState>& truth, bool keep_states,
+                                                         const SensingOptions& sensing = {});
 
 /// A grid map with the true surfaces drawn into it as thin lines.
 [[nodiscard]] Image grid_picture(const StudyScene& scene, const DenseGrid<CellState>& states);

@@ -43,6 +43,7 @@ std::vector<AnyMethod> four_methods() {
   std::vector<AnyMethod> methods;
   for (const Variant& variant : variants) {
     NumakuraOptions options;
+    options.no_echo_weight = 0.0;  // the paper maps distances; a sonar that hears nothing has none
     options.geometry_test = variant.geometry;
     options.consistency_test = variant.consistency;
     methods.emplace_back(Numakura(options));

@@ -36,9 +36,9 @@ MouthView view_of(std::span<const MapPoint> points, const Mouth& mouth, const Ga
 }
 
 template <class Method>
-Method mapped(std::span<const Reading> readings) {
+Method mapped(std::span<const Reading> readings, typename Method::Options options = {}) {
   InlineExecutor executor;
-  Method method;
+  Method method(options);
   method.insert(readings, executor);
   method.finish(executor);
   return method;
@@ -57,9 +57,13 @@ Result<MouthRun> look_at_mouth(const StudyScene& scene, const Mouth& mouth, std:
   const Gap opening = mouth_opening(scene.scene.world, mouth);
   const Centerline centers = mapped<Centerline>(drive->readings);
   const AtmOrg atm = mapped<AtmOrg>(drive->readings);
+  AtmOrg::Options all_arcs;
+  all_arcs.history = HistoryScope::all;
+  const AtmOrg atm_all = mapped<AtmOrg>(drive->readings, all_arcs);
   MouthRun run;
   run.centerline = view_of(centers.map().points(), mouth, opening, keep);
   run.atm = view_of(labelled(atm.map().points(), {PointLabel::atm}), mouth, opening, keep);
+  run.atm_all = view_of(labelled(atm_all.map().points(), {PointLabel::atm}), mouth, opening, keep);
   run.atm_centerline = view_of(atm.map().points(), mouth, opening, keep);
   if (keep) run.readings = std::move(drive->readings);
   return run;

@@ -29,12 +29,15 @@ struct Mouth {
 struct MouthView {
   double gap_m = 0.0;     ///< the widest gap free of points inside the opening
   double beside_m = 0.0;  ///< the widest one along the walls beside it: what a map must be judged against
+  /// Whether somebody who knows the map alone would find the opening: as wide as the robot, wider than gaps in walls.
+  [[nodiscard]] bool shows_opening(double robot_m) const { return gap_m >= robot_m && gap_m > beside_m; }
   std::vector<MapPoint> points;
 };
 
 struct MouthRun {
   MouthView centerline;
-  MouthView atm;             ///< the medians alone (Fig. 17)
+  MouthView atm;             ///< the medians alone, of the ten newest arcs per sonar (IV-D)
+  MouthView atm_all;         ///< the medians over all arcs of the drive, as Figs. 16 and 17 draw them
   MouthView atm_centerline;  ///< and the middle of arcs without a crossing
   std::vector<Reading> readings;
 };

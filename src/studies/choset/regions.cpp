@@ -136,6 +136,11 @@ Result<StudySection> constant_depth(const StudyHost& host, StudyProgress& progre
       {"rcd-ranges", "Ranges over bearings, seed 1 (Fig. 11)", depth_chart(sweeps.value().front())});
   section.pictures.push_back({"rcd-room", "Readings and regions in the room, seed 1 (Fig. 12)",
                               region_picture(*scene, sweeps.value().front())});
+  section.remarks = {
+      "Where no region lies beyond a wall, the room is to blame: between walls at right angles sound comes back to its "
+      "own sonar only from straight ahead or out of a corner, and both look like surfaces. The paper does not print "
+      "the "
+      "plan of its room of cardboard sheets; sheets that lean against each other would make such ghosts."};
   return section;
 }
 
