@@ -17,7 +17,7 @@ constexpr std::size_t max_materials = 1000;
 
 void read_material(TomlFields& fields, sim::Material& material) {
   material.loss_db = fields.number("loss_db", 0.0, 200.0).value_or(material.loss_db);
-  if (const auto rough_db = fields.number("rough_db", -200.0, -0.1)) material.rough_db = *rough_db;
+  if (const auto rough_db = fields.number("rough_db", -200.0, -0.1)) material.rough_db = rough_db;
   material.rough_pitch_m = fields.length_m("rough_pitch", 0.001, 100.0).value_or(material.rough_pitch_m);
   material.laser_ok = fields.boolean("laser_ok").value_or(material.laser_ok);
 }
