@@ -25,6 +25,11 @@ PathFinder::~PathFinder() = default;
 
 std::span<const EchoPath> PathFinder::find(const Transducer& transmitter, const Transducer& receiver,
                                            const PathLimits& limits, std::span<const Disc> moving) {
+  workspace_->paths.clear();
+  const auto stands = [](const Transducer& t) {
+    return is_finite(t.position) && is_finite(t.axis) && t.half_window.rad() >= 0.0;
+  };
+  if (!stands(transmitter) || !stands(receiver) || !(limits.max_length_m > 0.0)) return {};
   PingSearch& ping = workspace_->ping;
   ping.start(transmitter, receiver, limits, moving);
   find_disc_paths(ping);

@@ -19,6 +19,10 @@ bool same_path(const EchoPath& a, const EchoPath& b) {
   return a.cause == b.cause && near(a.departure, b.departure) && near(a.arrival, b.arrival);
 }
 
+bool same_eye(const Transducer& a, const Transducer& b) {
+  return a.position == b.position && a.axis == b.axis && a.half_window == b.half_window;
+}
+
 }  // namespace
 
 Ear::Ear(const Transducer& transducer)
@@ -55,12 +59,18 @@ void PingSearch::start(const Transducer& transmitter, const Transducer& receiver
   limits.max_order = std::clamp(limits.max_order, 1, PathLimits::highest_order);
   moving = discs;
   images = 0;
-  work = 0;
   paths.clear();
-  one_place = !world.has_one_sided && transmitter.position == receiver.position && transmitter.axis == receiver.axis &&
-              transmitter.half_window == receiver.half_window;
-  const double reach = 0.5 * (limits.max_length_m + norm(sender.position - listener.position));
-  sender_view_.look(transmitter, false, reach, sweep, work);
+  one_place = !world.has_one_sided && same_eye(transmitter, receiver);
+  // After one transmission all listen: what the sender sees stays as it was. In whole metres, so that neither its view
+  // nor the work it counts depends on who listened before.
+  const double reach = 0.5 * (limits.max_length_m + std::ceil(norm(sender.position - listener.position)));
+  if (!same_eye(seen_from_, transmitter) || reach != seen_to_m_) {
+    seen_from_ = transmitter;
+    seen_to_m_ = reach;
+    seen_work_ = 0;
+    sender_view_.look(transmitter, false, reach, sweep, seen_work_);
+  }
+  work = seen_work_;
   if (!one_place) listener_view_.look(receiver, true, reach, sweep, work);
 }
 

@@ -85,6 +85,9 @@ class PingSearch {
 
  private:
   View sender_view_;
+  Transducer seen_from_;     // what the sender's view was looked for from
+  double seen_to_m_ = -1.0;  // how far; nothing yet
+  std::uint64_t seen_work_ = 0;
   View listener_view_;
   Marks item_marks_;
 };

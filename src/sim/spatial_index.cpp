@@ -90,7 +90,10 @@ void SpatialIndex::choose_cells() {
 
 SpatialIndex::Cell SpatialIndex::cell_at(Vec2 point) const {
   const Vec2 p = (point - origin_) / cell_m_;
-  return {static_cast<int>(std::clamp(p.x, 0.0, columns_ - 1.0)), static_cast<int>(std::clamp(p.y, 0.0, rows_ - 1.0))};
+  const auto clamped = [](double v, int count) {
+    return v > 0.0 ? static_cast<int>(std::min(v, count - 1.0)) : 0;
+  };  // NaN: 0
+  return {clamped(p.x, columns_), clamped(p.y, rows_)};
 }
 
 std::span<const std::uint32_t> SpatialIndex::items(Cell cell) const {

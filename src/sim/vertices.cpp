@@ -145,9 +145,8 @@ bool Vertex::echoes_to(Vec2 listener) const {
   if (kind == VertexKind::concave) return false;
   if (from == to) return true;
   const Vec2 way = listener - point;
-  const bool after_from = cross(from, way) >= 0.0;
-  const bool before_to = cross(way, to) >= 0.0;
-  return cross(from, to) < 0.0 ? after_from || before_to : after_from && before_to;
+  // The sector has 180 degrees or more: it is what lies left of its first border or right of its last.
+  return cross(from, way) >= 0.0 || cross(way, to) >= 0.0;
 }
 
 Result<Topology> find_vertices(const WorldDescription& description, const SpatialIndex& index) {

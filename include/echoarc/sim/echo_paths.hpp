@@ -59,7 +59,8 @@ class PathFinder {
   ~PathFinder();
 
   /// All paths from `transmitter` to `receiver`, in the order of their lengths (ties: by cause, then departure).
-  /// Valid until the next call. An order outside of 1 ... `highest_order` counts as the nearest legal one.
+  /// Valid until the next call. An order outside of 1 ... `highest_order` counts as the nearest legal one; a
+  /// transducer without a finite place and axis hears nothing.
   ///
   /// Every way is listed once. From one place into an acute corner sound goes round both ways: two paths of one length,
   /// departures and arrivals swapped. Into a right corner both go through the apex and are one path.
