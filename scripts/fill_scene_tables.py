@@ -3,8 +3,8 @@
 """Keeps the key tables of docs/scenes.md equal to schema/scene.schema.json, and the list of scenes to scenes/*.toml.
 
 `fill_scene_tables.py [--check]` writes what belongs between `<!-- scene:TABLE -->` and `<!-- /scene -->`: the keys of
-that table, for `scenes` the list of all scenes, for `robots` that of the robots. With --check it writes nothing and
-fails where the page is stale.
+that table, for `scenes` the list of all scenes, for `robots` that of the robots, for `pictures` all pictures. With
+--check it writes nothing and fails where the page is stale.
 """
 
 import json
@@ -66,7 +66,17 @@ def file_rows(head: list[str], folder: Path, keys: list[str]) -> list[list[str]]
     return rows
 
 
+def gallery() -> str:
+    lines = []
+    for path in sorted((ROOT / "docs" / "pictures" / "scenes").glob("*.png")):
+        title = tomllib.loads((ROOT / "scenes" / f"{path.stem}.toml").read_text())["title"]
+        lines.append(f"`{path.stem}`: {title}\n\n![{title}]({path.relative_to(PAGE.parent)})\n")
+    return "\n".join(lines)
+
+
 def block(name: str, schema: dict) -> str:
+    if name == "pictures":
+        return gallery()
     if name == "scenes":
         return markdown(file_rows(["scene", "what it is", "after"], ROOT / "scenes", ["title", "source"]))
     if name == "robots":
