@@ -41,6 +41,7 @@ struct Verb {
 [[nodiscard]] Verb init_verb();
 [[nodiscard]] Verb info_verb();
 [[nodiscard]] Verb doctor_verb();
+[[nodiscard]] Verb sim_verb();
 [[nodiscard]] Verb map_verb();
 [[nodiscard]] Verb eval_verb();
 [[nodiscard]] Verb methods_verb();

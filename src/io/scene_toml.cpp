@@ -97,6 +97,7 @@ Result<SceneFile> read_scene(std::string_view text, std::string_view source) {
   scene.name = fields.text("name").value_or("scene");
   scene.title = fields.text("title").value_or("");
   scene.source = fields.text("source").value_or("");
+  scene.file = source;
   scene.world = read_world(fields);
   scene.robot = read_robot(fields);
   scene.drive = read_drive(fields);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "io/picture/map_layer.hpp"
 
@@ -18,7 +19,9 @@ constexpr double item_gap = 26.0;
 constexpr double line_height = 28.0;
 
 double width_of_sign(LegendSign sign) {
-  return sign == LegendSign::path || sign == LegendSign::feature ? path_sign_width : sign_width;
+  const bool line = sign == LegendSign::path || sign == LegendSign::feature || sign == LegendSign::surface ||
+                    sign == LegendSign::mover;
+  return line ? path_sign_width : sign_width;
 }
 
 double width_of(const LegendItem& item) {
@@ -32,10 +35,11 @@ bool shows_state(const PictureContent& content, CellState state) {
 
 void add_cells(std::vector<LegendItem>& items, const PictureContent& content) {
   if (content.states == nullptr) return;
-  if (shows_state(content, CellState::free)) items.push_back({LegendSign::cell, palette::free, {}, {}, "free"});
+  if (shows_state(content, CellState::free))
+    items.push_back({.sign = LegendSign::cell, .color = palette::free, .text = "free"});
   if (shows_state(content, CellState::occupied))
-    items.push_back({LegendSign::cell, palette::occupied, {}, {}, "occupied"});
-  items.push_back({LegendSign::cell, palette::unknown, {}, {}, "unknown"});
+    items.push_back({.sign = LegendSign::cell, .color = palette::occupied, .text = "occupied"});
+  items.push_back({.sign = LegendSign::cell, .color = palette::unknown, .text = "unknown"});
 }
 
 void add_points(std::vector<LegendItem>& items, const PictureContent& content) {
@@ -44,7 +48,7 @@ void add_points(std::vector<LegendItem>& items, const PictureContent& content) {
   for (std::size_t k = 0; k < texts.size(); ++k) {
     const auto label = static_cast<PointLabel>(k);
     if (std::ranges::find(content.points, label, &MapPoint::label) != content.points.end())
-      items.push_back({LegendSign::point, {}, label, {}, std::string(texts[k])});
+      items.push_back({.sign = LegendSign::point, .label = label, .text = std::string(texts[k])});
   }
 }
 
@@ -58,6 +62,25 @@ void add_features(std::vector<LegendItem>& items, const PictureContent& content)
   }
 }
 
+/// "echoes: wall", then the other causes.
+void add_echoes(std::vector<LegendItem>& items, const PictureContent& content) {
+  bool first = true;
+  for (std::size_t k = 0; k < echo_cause_names.size(); ++k) {
+    const auto cause = static_cast<EchoCause>(k);
+    if (std::ranges::find(content.echoes, cause, &EchoMark::cause) == content.echoes.end()) continue;
+    std::string text = (first ? "echoes: " : "") + std::string(name(cause));
+    std::ranges::replace(text, '_', ' ');
+    items.push_back({.sign = LegendSign::echo, .cause = cause, .text = std::move(text)});
+    first = false;
+  }
+}
+
+void draw_stroke_sign(Canvas& canvas, Vec2 middle, double width, Color color, double opacity = 1.0) {
+  const Vec2 half = {path_sign_width / 2.0, 0.0};
+  const Vec2 line[] = {middle - half, middle + half};
+  canvas.stroke(line, width, color, opacity);
+}
+
 }  // namespace
 
 std::vector<LegendItem> legend_of(const PictureContent& content) {
@@ -65,10 +88,13 @@ std::vector<LegendItem> legend_of(const PictureContent& content) {
   add_cells(items, content);
   add_points(items, content);
   add_features(items, content);
+  if (!content.surfaces.empty()) items.push_back({.sign = LegendSign::surface, .text = "surfaces"});
+  if (!content.movers.empty()) items.push_back({.sign = LegendSign::mover, .text = "moving"});
+  add_echoes(items, content);
   if (!content.path.empty()) {
-    items.push_back({LegendSign::path, {}, {}, {}, "path"});
-    items.push_back({LegendSign::start, {}, {}, {}, "start"});
-    items.push_back({LegendSign::end, {}, {}, {}, "end"});
+    items.push_back({.sign = LegendSign::path, .text = "path"});
+    items.push_back({.sign = LegendSign::start, .text = "start"});
+    items.push_back({.sign = LegendSign::end, .text = "end"});
   }
   return items;
 }
@@ -96,12 +122,10 @@ void draw_legend_item(Canvas& canvas, const LegendItem& item, Vec2 baseline_star
       break;
     }
     case LegendSign::point: draw_point_mark(canvas, middle, item.label, 4.0); break;
-    case LegendSign::path: {
-      const Vec2 half = {path_sign_width / 2.0, 0.0};
-      const Vec2 line[] = {middle - half, middle + half};
-      canvas.stroke(line, path_width, palette::path, path_opacity);
-      break;
-    }
+    case LegendSign::path: draw_stroke_sign(canvas, middle, path_width, palette::path, path_opacity); break;
+    case LegendSign::surface: draw_stroke_sign(canvas, middle, surface_width, palette::surface); break;
+    case LegendSign::mover: draw_stroke_sign(canvas, middle, mover_width, palette::mover); break;
+    case LegendSign::echo: draw_echo_mark(canvas, middle, item.cause, 4.0); break;
     case LegendSign::feature: {
       const bool line =
           item.kind == FeatureKind::tangent || item.kind == FeatureKind::line || item.kind == FeatureKind::wall;

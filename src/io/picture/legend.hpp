@@ -15,7 +15,7 @@ namespace echoarc::io {
 
 inline constexpr TextStyle legend_style = {.cap_height = 11.0, .color = palette::quiet_ink};
 
-enum class LegendSign { cell, point, feature, path, start, end };
+enum class LegendSign { cell, point, feature, surface, mover, echo, path, start, end };
 
 /// One explained sign.
 struct LegendItem {
@@ -23,6 +23,7 @@ struct LegendItem {
   Color color;                                ///< of a cell
   PointLabel label = PointLabel::centerline;  ///< of a point
   FeatureKind kind = FeatureKind::line;       ///< of a feature
+  EchoCause cause = EchoCause::unknown;       ///< of an echo
   std::string text;
 };
 

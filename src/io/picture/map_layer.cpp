@@ -80,6 +80,25 @@ void draw_points(Canvas& canvas, std::span<const MapPoint> points, const View& v
     if (is_finite(point.position)) draw_point_mark(canvas, view.pixel(point.position), point.label, radius);
 }
 
+void draw_lines(Canvas& canvas, std::span<const std::vector<Vec2>> lines, const View& view, double width, Color color) {
+  for (const std::vector<Vec2>& line : lines) {
+    std::vector<Vec2> pixels;
+    for (const Vec2 point : line)
+      if (is_finite(point)) pixels.push_back(view.pixel(point));
+    canvas.stroke(pixels, width, color);
+  }
+}
+
+/// Cause by cause in the order of the enumerators, so that what is rare and misleading lies on top.
+void draw_echoes(Canvas& canvas, std::span<const EchoMark> echoes, const View& view) {
+  constexpr double radius_m = 0.02;
+  const double radius = std::clamp(radius_m * view.pixels_per_m, 1.8, 3.6);
+  for (std::size_t cause = 0; cause < echo_cause_names.size(); ++cause)
+    for (const EchoMark& echo : echoes)
+      if (echo.cause == static_cast<EchoCause>(cause) && is_finite(echo.position))
+        draw_echo_mark(canvas, view.pixel(echo.position), echo.cause, radius);
+}
+
 void draw_features(Canvas& canvas, std::span<const Feature> features, const View& view) {
   for (const Feature& feature : features)
     if (is_finite(feature.begin) && is_finite(feature.end))
@@ -92,6 +111,9 @@ Canvas draw_map(const PictureContent& content, const View& view) {
   Canvas canvas(view.width, view.height, content.states != nullptr ? palette::unknown : palette::free);
   if (!view.cells.empty()) draw_cells(canvas, content, view);
   draw_grid_marks(canvas, view);
+  draw_lines(canvas, content.movers, view, mover_width, palette::mover);
+  draw_echoes(canvas, content.echoes, view);
+  draw_lines(canvas, content.surfaces, view, surface_width, palette::surface);
   draw_path(canvas, content.path, view);
   draw_points(canvas, content.points, view);
   draw_features(canvas, content.features, view);
@@ -116,6 +138,10 @@ void draw_feature_mark(Canvas& canvas, Vec2 begin, Vec2 end, FeatureKind kind) {
   }
   canvas.fill_disc(begin, 6.5, color);
   canvas.fill_disc(begin, kind == FeatureKind::edge ? 0.0 : 3.5, palette::free);
+}
+
+void draw_echo_mark(Canvas& canvas, Vec2 pixel, EchoCause cause, double radius) {
+  canvas.fill_disc(pixel, radius, palette::of(cause));
 }
 
 void draw_start_mark(Canvas& canvas, Vec2 pixel) {

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 
+#include "echoarc/core/echo_cause.hpp"
 #include "echoarc/features/feature.hpp"
 #include "echoarc/maps/point_map.hpp"
 #include "io/picture/canvas.hpp"
@@ -19,6 +21,8 @@ inline constexpr Color unknown = rgb(0xE4E8ED);
 inline constexpr Color free = rgb(0xFFFFFF);
 inline constexpr Color occupied = rgb(0x1D2630);
 inline constexpr Color grid_mark = rgb(0xB9C2CC);
+inline constexpr Color surface = rgb(0x1D2630);
+inline constexpr Color mover = rgb(0x8A96A3);
 inline constexpr Color path = rgb(0x1763C6);
 
 /// One colour a label; told apart by people with red-green blindness, too.
@@ -33,6 +37,14 @@ inline constexpr Color path = rgb(0x1763C6);
   constexpr Color colors[feature_kind_count] = {rgb(0xD55E00), rgb(0x7B2CBF), rgb(0x2E7D32),
                                                 rgb(0x2E7D32), rgb(0xC2185B), rgb(0x6C7885)};
   return colors[static_cast<std::size_t>(kind)];
+}
+
+/// What is rightly heard in greens and blues, what misleads in warm colours, noise in grey.
+[[nodiscard]] constexpr Color of(EchoCause cause) {
+  constexpr std::array<Color, echo_cause_names.size()> colors = {
+      rgb(0x6C7885), rgb(0x2A9D6F), rgb(0x5B1F92), rgb(0xD81B60), rgb(0x0077B6), rgb(0x00A5A5),
+      rgb(0x9A6B00), rgb(0x8BB174), rgb(0xF28482), rgb(0xE07A00), rgb(0xD00000), rgb(0x8A8F98)};
+  return colors[static_cast<std::size_t>(cause)];
 }
 
 }  // namespace echoarc::io::palette

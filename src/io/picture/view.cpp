@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace echoarc::io {
 namespace {
@@ -26,9 +27,13 @@ class Bounds {
     high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
   }
   [[nodiscard]] bool empty() const { return low_.x > high_.x; }
+  [[nodiscard]] double longer_m() const { return std::max({high_.x - low_.x, high_.y - low_.y, smallest_m}); }
+  [[nodiscard]] bool holds(Vec2 p, double beyond_m) const {
+    return p.x > low_.x - beyond_m && p.y > low_.y - beyond_m && p.x < high_.x + beyond_m && p.y < high_.y + beyond_m;
+  }
   [[nodiscard]] Box with_margin() const {
-    const double longer = std::max({high_.x - low_.x, high_.y - low_.y, smallest_m});
-    const Vec2 margin = {longer * margin_share, longer * margin_share};
+    const double margin_m = longer_m() * margin_share;
+    const Vec2 margin = {margin_m, margin_m};
     return {low_ - margin, high_ + margin};
   }
 
@@ -37,6 +42,16 @@ class Bounds {
   Vec2 low_{infinity, infinity};
   Vec2 high_{-infinity, -infinity};
 };
+
+/// Echoes that seem to come from a little outside of the world are of interest; the odd one from far away is not worth
+/// showing everything else small.
+void add_near_echoes(Bounds& bounds, std::span<const EchoMark> echoes) {
+  constexpr double near_share = 0.35;
+  const Bounds world = bounds;
+  const double near_m = near_share * world.longer_m();
+  for (const EchoMark& echo : echoes)
+    if (world.empty() || world.holds(echo.position, near_m)) bounds.add(echo.position);
+}
 
 CellBox known_cells(const DenseGrid<CellState>& grid) {
   CellBox box;
@@ -94,6 +109,10 @@ Result<View> fit_view(const PictureContent& content) {
     for (const MapPoint& point : content.points) bounds.add(point.position);
   }
   for (const Vec2 position : content.path) bounds.add(position);
+  for (const auto& lines : {content.surfaces, content.movers})
+    for (const std::vector<Vec2>& line : lines)
+      for (const Vec2 point : line) bounds.add(point);
+  add_near_echoes(bounds, content.echoes);
   if (bounds.empty())
     return Error{ErrorCode::bad_value, "there is nothing to draw", "", "the map holds no cell, point or path"};
   const Box box = bounds.with_margin();

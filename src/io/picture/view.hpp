@@ -26,7 +26,8 @@ struct View {
   }
 };
 
-/// Fits a view around the known cells, the path and (without a grid) the points.
+/// Fits a view around the known cells, the path, what stands and moves there, echoes not far off, and (without a grid)
+/// the points.
 [[nodiscard]] Result<View> fit_view(const PictureContent& content);
 
 /// Most of the map's width that the scale bar takes.
