@@ -13,6 +13,7 @@
 #include "sim/recording.hpp"
 #include "sim/registers.hpp"
 #include "sim/scene_checks.hpp"
+#include "sim/scene_fault.hpp"
 
 namespace echoarc::sim {
 namespace {
@@ -26,6 +27,19 @@ Error in_file(Error error, const std::string& file) {
   else
     error.where = error.where.empty() ? file : file + ", " + error.where;
   return error;
+}
+
+/// A log is kept in memory while it is made.
+Result<void> check_size(const Scene& scene, const FiringSchedule& schedule) {
+  const auto sensors = static_cast<double>(scene.robot.sensors.size());
+  const double receivers = scene.sonar.listening == Listening::all ? sensors : 1.0;
+  if (static_cast<double>(schedule.count()) * receivers > static_cast<double>(max_firings))
+    return scene_fault("all sensors would listen to so many firings that there were more than 10 million pings", 0,
+                       "drive a shorter way, stop less often, or set listening = \"own\"");
+  if (scene.polling.polled && schedule.end_s() * scene.polling.rate_hz * sensors > 10.0 * max_firings)
+    return scene_fault("the polls would hold more than 100 million ranges", 0,
+                       "drive a shorter way, or lower the polling's rate_hz");
+  return {};
 }
 
 /// Registers in place of pings.
@@ -52,9 +66,9 @@ Result<Simulation> record(const Run& run) {
   log.temperature_k = run.scene.sonar.assumed_temperature_k;
   log.robot = run.scene.robot;
   if (const Result<void> recorded = record_poses(run, log); !recorded) return recorded.error();
+  if (const Result<void> recorded = record_scans(run, log); !recorded) return recorded.error();
   if (!record_pings(run, simulation))
     return Error{ErrorCode::interrupted, "interrupted before the drive was over", "", "run it again"};
-  if (const Result<void> recorded = record_scans(run, log); !recorded) return recorded.error();
   record_wall(run, log);
   if (run.scene.polling.polled) poll(run, simulation);
   forget_flight_times(log.pings);
@@ -76,6 +90,7 @@ Result<Simulation> run_scene(const Scene& scene, std::uint64_t seed, const Simul
   const Result<FiringSchedule> schedule =
       FiringSchedule::make(*plan, sensors, scene.sonar.interval_s, scene.drive.dwell_s);
   if (!schedule) return schedule.error();
+  if (const Result<void> fits = check_size(scene, *schedule); !fits) return fits.error();
   return record({scene, *world, *plan, *schedule, seed, host});
 }
 

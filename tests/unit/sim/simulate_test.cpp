@@ -3,8 +3,13 @@
 
 #include "echoarc/sim/simulate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -105,6 +110,87 @@ TEST(Simulate, RefusesWhatMakesNoSense) {
   scene = room_scene(4);
   scene.drive.start.position = {0.1, 1.0};
   expect_error(scene, "starts in a surface, at (0.1, 1) m");
+  scene = room_scene(4);
+  scene.lasers = {{.laser = 7}};
+  expect_error(scene, "no laser 7");
+  scene = room_scene(4);
+  scene.polling.polled = true;
+  scene.sonar.listening = Listening::all;
+  expect_error(scene, "all sensors listen");
+  scene = driving_scene(4);
+  scene.polling.polled = true;
+  scene.drive.stop_step_m = 0.1;
+  expect_error(scene, "this drive stops");
+  scene = room_scene(4);
+  scene.world.walls.push_back({.a = {1.0, 1.0}, .b = {1.0, 1.0}, .line = 9});
+  expect_error(scene, "no length", "line 9");
+}
+
+TEST(Simulate, WorkIsBounded) {
+  Scene scene = room_scene(16);
+  scene.drive.dwell_s = 86'400.0;
+  scene.sonar.listening = Listening::all;
+  expect_error(scene, "10 million");
+  scene = room_scene(16);
+  scene.drive.dwell_s = 80'000.0;
+  scene.odometry.rate_hz = 1000.0;
+  expect_error(scene, "odometry records");
+  scene = room_scene(16);
+  scene.drive.dwell_s = 80'000.0;
+  scene.polling = {.polled = true, .rate_hz = 1000.0};
+  expect_error(scene, "polls");
+  scene = room_scene(1);
+  scene.robot.lasers = {{.id = 0}};
+  scene.lasers = {{.beams = 100'000, .rate_hz = 1000.0}};
+  scene.drive.dwell_s = 1000.0;
+  expect_error(scene, "10^9 beams");
+}
+
+TEST(Simulate, AnswersItsHost) {
+  std::vector<double> shares;
+  const Result<Simulation> watched =
+      simulate(driving_scene(4), 1, {.progress = [&](double share) { shares.push_back(share); }});
+  ASSERT_TRUE(watched);
+  ASSERT_FALSE(shares.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  const Result<Simulation> stopped = simulate(driving_scene(4), 1, {.cancelled = [] { return true; }});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+}
+
+/// Everything random, rounded to 1e-6 and hashed (FNV-1a).
+std::uint64_t fingerprint(const Simulation& simulation) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  const auto add = [&](double value) {
+    const auto rounded = static_cast<std::uint64_t>(std::isfinite(value) ? std::llround(1e6 * value) : -1);
+    for (int byte = 0; byte < 8; ++byte) hash = (hash ^ ((rounded >> (8 * byte)) & 0xff)) * 0x100000001b3ULL;
+  };
+  for (const Ping& ping : simulation.log.pings)
+    for (const double value : {ping.time_s, double(ping.tx), double(ping.rx), ping.range_m, double(ping.cause)})
+      add(value);
+  for (const Odometry& pose : simulation.log.odometry) {
+    add(pose.T_world_robot.position.x);
+    add(pose.T_world_robot.position.y);
+    add(pose.T_world_robot.heading.rad());
+  }
+  for (const Scan& scan : simulation.log.scans)
+    for (const float range_m : scan.ranges_m) add(range_m);
+  return hash;
+}
+
+Scene noisy_scene() {
+  Scene scene = driving_scene(4, SonarOptions{.listening = Listening::all});
+  scene.world.discs = {{.centre = {2.0, 2.3}, .radius_m = 0.2}};
+  scene.odometry.perfect = false;
+  scene.robot.lasers = {{.id = 0}};
+  scene.lasers = {{.beams = 9, .rate_hz = 1.0}};
+  return scene;
+}
+
+TEST(Simulate, TheSameSeedGivesTheSameLog) {
+  const std::uint64_t first = fingerprint(run(noisy_scene(), 42));
+  EXPECT_EQ(first, fingerprint(run(noisy_scene(), 42)));
+  EXPECT_NE(first, fingerprint(run(noisy_scene(), 43)));
 }
 
 }  // namespace
