@@ -6,6 +6,32 @@
 #include <algorithm>
 
 namespace echoarc::sim {
+namespace {
+
+/// Where a wall goes from an apex at one of its ends; the zero vector in its middle, from where it goes both ways.
+Vec2 away_from(const Mirror& wall, Vec2 apex) {
+  constexpr double end_m = 1e-6;
+  const double along = dot(apex - wall.a, wall.direction);
+  if (along <= end_m) return wall.direction;
+  return along >= wall.length_m - end_m ? -wall.direction : Vec2{};
+}
+
+/// Whether sound that goes on in `direction` after the first wall can meet the second one, both reflections being in
+/// their common apex. Moved a little aside it runs from a point of the first to a point of the second: in a concave
+/// corner those are there, beyond a convex one the walls would have to be longer.
+bool turns_in(Vec2 apex, const Mirror& first, const Mirror& second, Vec2 direction) {
+  constexpr double slack = 1e-9;
+  const Vec2 u = away_from(first, apex);
+  const Vec2 v = away_from(second, apex);
+  const double wedge = cross(u, v);
+  if (wedge == 0.0) return true;
+  const double scale = slack * norm(direction);
+  const double on_first = cross(v, direction) / wedge;
+  const double on_second = cross(u, direction) / wedge;
+  return on_first >= -scale && on_second >= -scale;
+}
+
+}  // namespace
 
 void PlaneSearch::run(PingSearch& ping) {
   last_walls_.clear();
@@ -59,6 +85,13 @@ void PlaneSearch::follow_back(PingSearch& ping, std::size_t order) {
   for (std::size_t k = order; k-- > 0;) {
     if (!ping.world.mirrors[walls_[k]].bounce(target, images_[k], bounces_[k])) return;
     target = bounces_[k];
+  }
+  for (std::size_t k = 1; k < order; ++k) {
+    constexpr double one_point_m = 1e-7;
+    const Vec2 apex = bounces_[k];
+    if (squared_norm(apex - bounces_[k - 1]) > one_point_m * one_point_m) continue;
+    const Mirror& first = ping.world.mirrors[walls_[k - 1]];
+    if (!turns_in(apex, first, ping.world.mirrors[walls_[k]], apex - images_[k - 1])) return;
   }
   if (!ping.listener.hears(bounces_[order - 1]) || !ping.sender.hears(bounces_[0])) return;
   Vec2 from = ping.sender.position;

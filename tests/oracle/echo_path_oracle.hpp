@@ -148,10 +148,27 @@ class Paths {
       target = stops[k];
       gain_db -= loss_db(d_.walls[walls[k]].material);
     }
+    for (std::size_t k = 1; k < walls.size(); ++k) {
+      const Vec2 from = k > 1 ? stops[k - 2] : sender_.position;
+      const bool in_apex = norm(stops[k] - stops[k - 1]) < 1e-7;
+      if (in_apex && convex(stops[k], d_.walls[walls[k - 1]], d_.walls[walls[k]], from)) return;
+    }
     EchoCause cause = walls.size() == 1 ? EchoCause::wall : EchoCause::corner;
     for (std::size_t k = 1; k < walls.size(); ++k)
       if (!meet(d_.walls[walls[k - 1]], d_.walls[walls[k]])) cause = EchoCause::multiple;
     way(stops, gain_db, cause, walls.size());
+  }
+
+  /// Whether sound from `source` meets the outside of the corner that two walls make in `apex`: it does not stand
+  /// between them.
+  static bool convex(Vec2 apex, const Wall& v, const Wall& w, Vec2 source) {
+    const auto ends_here = [&](const Wall& wall) { return norm(wall.a - apex) < 1e-6 || norm(wall.b - apex) < 1e-6; };
+    if (!ends_here(v) || !ends_here(w)) return false;
+    const auto far_end = [&](const Wall& wall) { return norm(wall.a - apex) < 1e-6 ? wall.b : wall.a; };
+    const Vec2 a = far_end(v) - apex;
+    const Vec2 b = far_end(w) - apex;
+    const Vec2 p = source - apex;
+    return cross(a, p) * cross(a, b) < 0.0 || cross(b, p) * cross(b, a) < 0.0;
   }
 
   static double distance(Vec2 p, const Wall& w) {

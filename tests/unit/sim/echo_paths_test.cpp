@@ -58,6 +58,17 @@ TEST(EchoPaths, CornerSeenFromOnePlaceIsOnePath) {
   expect_lengths(lengths(found, EchoCause::wall), {1.2, 2.0}, 1e-12);
 }
 
+TEST(EchoPaths, OutsideOfACornerIsNoMirror) {
+  const WorldDescription box{
+      .walls = {
+          {{0.0, 0.0}, {1.0, 0.0}}, {{1.0, 0.0}, {1.0, 0.5}}, {{1.0, 0.5}, {0.0, 0.5}}, {{0.0, 0.5}, {0.0, 0.0}}}};
+  for (const Vec2 place : {Vec2{-0.7, -0.6}, Vec2{1.6, 1.1}, Vec2{-0.3, 0.9}, Vec2{0.5, 1.5}, Vec2{1.23, 1.17}}) {
+    const auto found = paths(box, place, place);
+    EXPECT_TRUE(lengths(found, EchoCause::corner).empty());
+    EXPECT_GE(lengths(found, EchoCause::edge).size(), 2U);
+  }
+}
+
 TEST(EchoPaths, Cylinder) {
   const auto one = paths({.materials = {{.loss_db = 0.0}}, .discs = {{{1.0, 0.0}, 0.15}}}, {}, {});
   expect_lengths(lengths(one, EchoCause::disc), {1.7}, 1e-12);
