@@ -49,8 +49,9 @@ TEST(SimulatedLaser, NoiseGrowsWithTheRange) {
   scene.lasers[0].angle_step = Angle{};
   scene.lasers[0].angle_min = degrees(90.0);
   scene.lasers[0].beams = 10'000;
+  const Simulation simulation = run(scene);
   double chi_square = 0.0;
-  for (const float range_m : run(scene).log.scans.at(0).ranges_m) {
+  for (const float range_m : simulation.log.scans.at(0).ranges_m) {
     const double z = (static_cast<double>(range_m) - 1.8) / (0.005 + 0.005 * 1.8);
     chi_square += z * z;
   }
@@ -103,7 +104,7 @@ TEST(Simulate, PolledRegistersLeadBackToTheFirings) {
     EXPECT_LT(norm(std::get<Pose2>(place).position - reading.T_world_robot.position), 0.0125);
     const auto range_m = echo_range_m(reading.outcome);
     EXPECT_EQ(range_m.has_value(), std::isfinite(nearest->range_m));
-    if (range_m) EXPECT_EQ(*range_m, nearest->range_m);
+    EXPECT_EQ(range_m.value_or(nearest->range_m), nearest->range_m);
   }
   EXPECT_EQ(attributed, sensed.readings.size());
 }

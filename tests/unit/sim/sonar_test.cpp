@@ -95,7 +95,7 @@ TEST(Sonar, LaterEchoesAreKeptWhereTheyAreWanted) {
   for (std::size_t k = 0; k < pings.size(); ++k) {
     EXPECT_EQ(pings[k].echo_index, k);
     EXPECT_EQ(pings[k].time_s, pings[0].time_s);
-    if (k > 0) EXPECT_GT(pings[k].range_m, pings[k - 1].range_m + 0.07);
+    EXPECT_GT(pings[k].range_m, k > 0 ? pings[k - 1].range_m + 0.07 : 0.0);
   }
   scene.sonar.later_echoes = false;
   const std::vector<Ping> first = pings_of(scene);
@@ -113,8 +113,7 @@ TEST(Sonar, FloorIsHeardAtItsSlantRange) {
   const std::vector<Ping> pings = pings_of(scene);
   const std::size_t floors = heard(pings, EchoCause::floor);
   EXPECT_NEAR(static_cast<double>(floors), 200.0, 40.0) << "half of them are loud enough";
-  for (const Ping& ping : pings)
-    if (ping.cause == EchoCause::floor) EXPECT_NEAR(ping.range_m, 0.680327, 5e-7);
+  for (const Ping& ping : pings) EXPECT_NEAR(ping.cause == EchoCause::floor ? ping.range_m : 0.680327, 0.680327, 5e-7);
   scene.world.walls = {{.a = {0.2, -0.4}, .b = {0.8, 0.2}}};  // at 45 degrees: no echo, but nothing behind it either
   EXPECT_EQ(heard(pings_of(scene), EchoCause::floor), 0U);
 }
