@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "echoarc/core/rng.hpp"
 #include "sim/world_model.hpp"
@@ -71,19 +74,20 @@ Result<Bumps> place_bumps(const WorldDescription& d) {
   Bumps bumps;
   std::uint64_t surface = 0;
   bool fits = true;
-  const auto add = [&](std::vector<Vec2> points, MaterialId id, bool one_sided) {
+  const auto add = [&](MaterialId id, bool one_sided, const auto& points) {
     const Material& material = d.materials[id];
-    const Track track(std::move(points));
+    std::optional<Track> track;
+    if (material.rough_db) track.emplace(points());
     for (const bool right : {false, true}) {
       bumps.start_of_surface.push_back(static_cast<std::uint32_t>(bumps.points.size()));
-      if (!material.rough_db || (right && one_sided)) continue;
-      fits = fits && bumps.points.size() + count_on(track, material) <= World::max_scatterers;
-      if (fits) place_on(track, material, d.seed, surface, right, bumps.points);
+      if (!track || (right && one_sided)) continue;
+      fits = fits && bumps.points.size() + count_on(*track, material) <= World::max_scatterers;
+      if (fits) place_on(*track, material, d.seed, surface, right, bumps.points);
     }
     ++surface;
   };
-  for (const Wall& wall : d.walls) add({wall.a, wall.b}, wall.material, wall.one_sided);
-  for (const SmoothCurve& curve : d.curves) add(curve.points, curve.material, false);
+  for (const Wall& wall : d.walls) add(wall.material, wall.one_sided, [&] { return std::vector{wall.a, wall.b}; });
+  for (const SmoothCurve& curve : d.curves) add(curve.material, false, [&] { return curve.points; });
   bumps.start_of_surface.push_back(static_cast<std::uint32_t>(bumps.points.size()));
   if (fits) return bumps;
   return Error{ErrorCode::too_large, "rough walls carry more than 20000000 bumps", "", "raise rough_pitch_m"};

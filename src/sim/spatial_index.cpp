@@ -10,7 +10,8 @@ namespace echoarc::sim {
 
 namespace {
 
-constexpr double preferred_cell_m = 0.5;
+constexpr double largest_cell_m = 0.5;    // where few things stand
+constexpr double smallest_cell_m = 0.02;  // where many do: about two per cell
 constexpr double rim_m = 2e-6;  // cells list what comes this near: a ray along the border of two cells misses nothing
 constexpr double slanted_m = 0.01;
 
@@ -77,7 +78,8 @@ void SpatialIndex::choose_cells() {
   }
   const Vec2 size = all.high - all.low;
   const double most = std::max(65536.0, 4.0 * count());
-  cell_m_ = preferred_cell_m;
+  cell_m_ = std::clamp(std::sqrt(2.0 * std::max(1.0, size.x) * std::max(1.0, size.y) / count()), smallest_cell_m,
+                       largest_cell_m);
   const auto too_many = [&] {
     const double cells = (size.x / cell_m_ + 1.0) * (size.y / cell_m_ + 1.0);
     return cells > most || crossed_m / cell_m_ + covered_m2 / (cell_m_ * cell_m_) > 2.0 * most;

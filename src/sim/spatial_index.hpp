@@ -49,8 +49,8 @@ struct CurveChunk {
 
 /// A uniform grid over walls, curve chunks and discs; a cell lists what touches it.
 ///
-/// Cells have 0.5 m, or as much more as keeps their number and their lists in proportion to the number of objects: a
-/// million walls stay below 200 MB.
+/// Cells have 0.5 m, less where many small things stand, or as much more as keeps their number and their lists in
+/// proportion to the number of objects: a million walls stay below 200 MB.
 class SpatialIndex {
  public:
   SpatialIndex() = default;

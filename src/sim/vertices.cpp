@@ -16,7 +16,7 @@ constexpr double same_point_m = 1e-6;
 // Walls that meet within this of 180 degrees are one wall; the tangent at the end of a curve is known less well.
 constexpr double straight_rad = 1e-6;
 constexpr double smooth_rad = 0.01;
-constexpr double most_end_tests = 1e9;
+constexpr double most_end_tests = 1e8;
 
 /// Merges points closer than `same_point_m`. Kept points are that far apart, so a cell holds few of them.
 class PointMerger {
@@ -128,6 +128,9 @@ bool add_through_walls(const WorldDescription& d, const SpatialIndex& index, con
     if (tests > most_end_tests) return false;
     for (const std::uint32_t w : items) {
       if (w >= index.first_chunk()) break;
+      const Segment& line = index.segments()[w];
+      const double beside = cross(points[v] - line.a, line.along);
+      if (beside * beside > 2.0 * same_point_m * same_point_m * squared_norm(line.along)) continue;  // most end here
       const std::array ends = topology.ends_of_wall[w];
       if (ends[0] == v || ends[1] == v || index.distance(points[v], w) > same_point_m) continue;
       const Wall& wall = d.walls[w];

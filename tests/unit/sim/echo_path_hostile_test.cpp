@@ -57,7 +57,7 @@ TEST(HostilePing, OrdersOutOfRangeCountAsTheNearest) {
 }
 
 TEST(HostileWorld, CoincidentWallsEchoOnce) {
-  const World world = World::make({.walls = std::vector<Wall>(3000, Wall{{-1.0, 1.0}, {1.0, 1.0}})}).value();
+  const World world = World::make({.walls = std::vector<Wall>(400, Wall{{-1.0, 1.0}, {1.0, 1.0}})}).value();
   PathFinder finder(world);
   const Transducer ear{{0.1, 0.0}, {}, all_round};
   const auto found = finder.find(ear, ear, {});
