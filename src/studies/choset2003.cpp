@@ -17,6 +17,12 @@ Result<StudyReport> choset2003(const StudyHost& host) {
       "The Arc-Transversal Median Algorithm: A Geometric Approach to Increasing Ultrasonic Sensor Azimuth Accuracy";
   report.source = "Choset, Nagatani, Lazar; IEEE Transactions on Robotics and Automation 19(3), 2003";
   report.seeds = host.seeds;
+  report.summary = {
+      "A ring of 16 sonars with a beam of 22.5 degrees and ranges in steps of one inch, one sweep a second at five "
+      "inches "
+      "a second; arcs that cross at 30 degrees or more, ten arcs per sonar, all as printed. The walls are rough, as "
+      "those "
+      "of the paper's laboratory were."};
   const Result<StudyScene> opening = host.scene("opening-near");
   if (!opening) return opening.error();
   report.sections.push_back(choset::resolution_numbers(opening.value().scene));

@@ -114,6 +114,10 @@ Result<StudyReport> numakura(const StudyHost& host) {
   report.title = "Acquisition of an Environmental Map by Sonar Data for an Autonomous Mobile Robot with Web Interface";
   report.source = "Numakura, Shimizu Okatani, Maekawa; Saitama University";
   report.seeds = host.seeds;
+  report.summary = {
+      "The paper prints neither its rooms nor its parameters: rooms and steps are ours. A sonar that hears nothing "
+      "changes "
+      "no cell, for the paper maps distances and has no word for silence."};
   StudyProgress progress(host, rooms.size() * std::size_t(host.seeds));
   for (const Room& room : rooms) {
     Result<StudyScene> scene = host.scene(room.scene);

@@ -86,6 +86,10 @@ Result<StudyReport> yamauchi(const StudyHost& host) {
   report.title = "Laser-Limited Sonar";
   report.source = "Yamauchi, Frontier-Based Exploration, 1997";
   report.seeds = host.seeds;
+  report.summary = {
+      "The robot turns once on the spot in an alcove with walls like mirrors. Silence clears cells up to the range to "
+      "which the sonar is trusted; a slanted smooth wall is as silent as an empty room, and that is where most of the "
+      "false open cells of sonar alone come from, beside mirror images."};
   Result<StudyScene> scene = host.scene("alcove");
   if (!scene) return scene.error();
   const DenseGrid<CellState> truth = scene_truth(*scene, EvidenceGridOptions{}.cell_m);

@@ -158,6 +158,11 @@ Result<StudySection> hallway(const StudyHost& host, StudyProgress& progress) {
                                               : "") +
                                     ". Blue: medians, green: carved, yellow: centres of arcs.",
                                 picture_of(*scene, first, first.last.*views[v].map)});
+  section.remarks = {
+      "Centres of arcs narrow the hallway, as in the paper, and arc carving opens it again. They do not close it here: "
+      "how far centres reach into the way grows with the range at which a rough wall or a jamb is heard off the axis, "
+      "and "
+      "with the width of the hallway, which the paper does not print."};
   return section;
 }
 

@@ -157,6 +157,10 @@ Result<StudySection> junction(const StudyHost& host, StudyProgress& progress) {
     section.pictures.push_back({"junction-" + std::to_string(v + 1),
                                 std::string(views[v].name) + when + std::string(figures_of[v]),
                                 picture_of(*scene, first.early.*views[v].map)});
+  section.remarks = {
+      "On a straight way towards a wall the arcs of the front sonar never cross: they lie behind each other. Medians "
+      "need "
+      "arcs of different sonars that hear the same place from the side, which come late or, on this way, not at all."};
   return section;
 }
 
