@@ -18,19 +18,6 @@ bool contains(const Box& region, Vec2 p) {
   return p.x >= region.low.x && p.x < region.high.x && p.y >= region.low.y && p.y < region.high.y;
 }
 
-/// The readings of a log, and the laser-limited ones beside them.
-void sense_into(Trial& trial, const SensingOptions& options, bool with_laser_limited) {
-  Sensing sensing = sensing_for(trial.log, options, with_laser_limited);
-  for (const Ping& ping : trial.log.pings) sensing.push(ping);
-  if (trial.log.pings.empty())
-    for (const Poll& poll : trial.log.polls) sensing.push(poll);
-  sensing.end_of_polls();
-  sensing.end_of_odometry();
-  trial.readings.assign(sensing.readings().begin(), sensing.readings().end());
-  if (with_laser_limited) trial.limited.assign(sensing.limited_readings().begin(), sensing.limited_readings().end());
-  trial.sensing = sensing.report();
-}
-
 /// The exact points of a method that has them; none for grids.
 Result<std::optional<PointSet>> exact_points(const MapExport& map) {
   const std::span<const MapPoint> points = map.points.points();
@@ -56,6 +43,18 @@ Result<MethodResult> judge(const AnyMethod& method, const SceneScorer& scorer) {
 }
 
 }  // namespace
+
+void sense_into(Trial& trial, const SensingOptions& options, bool with_laser_limited) {
+  Sensing sensing = sensing_for(trial.log, options, with_laser_limited);
+  for (const Ping& ping : trial.log.pings) sensing.push(ping);
+  if (trial.log.pings.empty())
+    for (const Poll& poll : trial.log.polls) sensing.push(poll);
+  sensing.end_of_polls();
+  sensing.end_of_odometry();
+  trial.readings.assign(sensing.readings().begin(), sensing.readings().end());
+  if (with_laser_limited) trial.limited.assign(sensing.limited_readings().begin(), sensing.limited_readings().end());
+  trial.sensing = sensing.report();
+}
 
 Result<SceneScorer> SceneScorer::make(Reference reference, const SceneScoring& scoring) {
   DirectionSet directions = scene_directions(scoring);

@@ -69,6 +69,9 @@ struct Trial {
   [[nodiscard]] const SceneScoring& scoring() const { return scorer->scoring(); }
 };
 
+/// Fills in the readings of a trial's log, and what became of its pings.
+void sense_into(Trial& trial, const SensingOptions& options, bool with_laser_limited);
+
 /// A scene made ready for many seeds. What does not depend on the seed is worked out once: the world, and the truth
 /// visible from the path, which is that of the first trial.
 class Experiment {
