@@ -4,7 +4,11 @@
 #include "cli/eval_input.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "echoarc/io/map_server.hpp"
 #include "echoarc/io/positions_csv.hpp"
@@ -94,6 +98,17 @@ Result<Reference> load_reference(const LogArguments& arguments) {
   if (!log) return log.error();
   warn_of(log->report);
   return laser_reference(*log);
+}
+
+Result<Angle> parse_direction(const std::string& text) {
+  constexpr std::string_view prefix = "axis:";
+  double value = 0.0;
+  const char* begin = text.data() + std::min(prefix.size(), text.size());
+  const auto [end, code] = std::from_chars(begin, text.data() + text.size(), value);
+  if (!text.starts_with(prefix) || code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    return Error{ErrorCode::bad_value, fmt::format("{} is no direction of interest", text), "--doi",
+                 "write axis:90, the direction in degrees counter-clockwise from +x"};
+  return degrees(value);
 }
 
 Result<PointSet> load_path(const fs::path& maps, const fs::path& given) {

@@ -27,6 +27,9 @@ struct NamedMap {
 /// What the maps are held against: a polyline CSV, a map.yaml (or the folder it lies in), or else a log with a laser.
 [[nodiscard]] Result<Reference> load_reference(const LogArguments& arguments);
 
+/// "axis:90" of --doi: 90 degrees. Errors: anything else.
+[[nodiscard]] Result<Angle> parse_direction(const std::string& text);
+
 /// Where the robot was: from `given`, else from the path.csv of the output folder `maps` lies in. Without either the
 /// set is empty.
 [[nodiscard]] Result<PointSet> load_path(const std::filesystem::path& maps, const std::filesystem::path& given);

@@ -44,6 +44,7 @@ struct Verb {
 [[nodiscard]] Verb sim_verb();
 [[nodiscard]] Verb map_verb();
 [[nodiscard]] Verb eval_verb();
+[[nodiscard]] Verb sweep_verb();
 [[nodiscard]] Verb methods_verb();
 [[nodiscard]] Verb bench_verb();
 [[nodiscard]] Verb convert_verb();

@@ -39,18 +39,6 @@ struct NamedScore {
   ScoreReport report;
 };
 
-/// "axis:90" -> 90 degrees.
-Result<Angle> parse_axis(const std::string& text) {
-  constexpr std::string_view prefix = "axis:";
-  double value = 0.0;
-  const char* begin = text.data() + std::min(prefix.size(), text.size());
-  const auto [end, code] = std::from_chars(begin, text.data() + text.size(), value);
-  if (!text.starts_with(prefix) || code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    return Error{ErrorCode::bad_value, fmt::format("{} is no direction of interest", text), "--doi",
-                 "write axis:90, the direction in degrees counter-clockwise from +x"};
-  return degrees(value);
-}
-
 /// The lines of --doi over --region; none when no direction was asked for.
 Result<std::optional<DirectionSet>> directions_of(const EvalArguments& arguments) {
   if (arguments.directions.empty()) return std::optional<DirectionSet>{};
@@ -60,7 +48,7 @@ Result<std::optional<DirectionSet>> directions_of(const EvalArguments& arguments
     return Error{ErrorCode::bad_value, "the region is empty", "--region", "give X_MIN Y_MIN X_MAX Y_MAX in metres"};
   DirectionSet all;
   for (const std::string& text : arguments.directions) {
-    const Result<Angle> along = parse_axis(text);
+    const Result<Angle> along = parse_direction(text);
     if (!along) return along.error();
     // The first line begins at the lower left corner of the region.
     const Vec2 middle = low + 0.5 * arguments.line_width_m * Vec2{1.0, 1.0};
