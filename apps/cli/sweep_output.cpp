@@ -206,14 +206,9 @@ std::string sweep_json(const SweepReport& report) {
   Json rows = Json::array();
   for (const SweepRow& row : result.rows)
     rows.push_back({{"method", row.method}, {"values", values_json(result, row)}, {"scores", scores_json(row)}});
-  const Json all{{"written_by", "echoarc"},
-                 {"version", ECHOARC_VERSION},
-                 {"command", report.command},
-                 {"subject", report.subject},
-                 {"seeds", result.seeds},
-                 {"axes", std::move(axes)},
-                 {"rows", std::move(rows)},
-                 {"choices", choices_json(result)}};
+  const Json all{{"written_by", "echoarc"},   {"version", ECHOARC_VERSION},     {"command", report.command},
+                 {"subject", report.subject}, {"seeds", result.seeds},          {"axes", std::move(axes)},
+                 {"rows", std::move(rows)},   {"choices", choices_json(result)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -59,7 +59,8 @@ Result<SceneScoring> scoring_of(const SubjectArguments& arguments) {
 LogArguments reference_arguments(const SubjectArguments& arguments) {
   const fs::path reference = arguments.reference;
   const bool is_map = reference.extension() == ".yaml" || fs::exists(reference / "map.yaml");
-  if (is_map || reference.extension() == ".csv") return {.log = reference, .description = {}, .odometry = {}, .robot = {}};
+  if (is_map || reference.extension() == ".csv")
+    return {.log = reference, .description = {}, .odometry = {}, .robot = {}};
   LogArguments as_log = arguments.log;
   as_log.log = reference;
   return as_log;

@@ -15,10 +15,10 @@ namespace echoarc::cli {
 
 /// What the command line says of what a sweep maps and judges.
 struct SubjectArguments {
-  LogArguments log;         ///< `log` is the scene or the log
-  std::string reference;    ///< of a log
+  LogArguments log;       ///< `log` is the scene or the log
+  std::string reference;  ///< of a log
   std::vector<double> region;
-  std::string direction;    ///< "axis:90"; empty: none
+  std::string direction;  ///< "axis:90"; empty: none
 };
 
 /// Declares SCENE, --reference, --doi, --region and the files of a log.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
