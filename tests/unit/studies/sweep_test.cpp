@@ -92,7 +92,9 @@ TEST(Sweep, OfALogEqualsSingleRuns) {
     const WallDistance expected = score(map, judged.reference, request)->wall_distance.all;
     const SweepScores& found = row.runs.front();
     EXPECT_EQ(found.cells, double(expected.points));
-    if (expected.points > 0) EXPECT_NEAR(found.mae_m, expected.mean_m, 1e-12);
+    if (expected.points > 0) {
+      EXPECT_NEAR(found.mae_m, expected.mean_m, 1e-12);
+    }
     EXPECT_EQ(found.within_5cm, expected.accuracy[0]);
     EXPECT_EQ(found.coverage, expected.coverage);
     EXPECT_TRUE(std::isnan(found.cdr_overall));
