@@ -142,9 +142,12 @@ TEST(Sweep, DoesNotDependOnThreads) {
 }
 
 TEST(Sweep, ChoosesByTheRule) {
+  StudyScene scene = wall_scene();
+  scene.scene.world.walls = {{.a = {-0.1, wall_y_m}, .b = {0.5, wall_y_m}}};  // and empty directions beside it
   InlineExecutor here;
-  const auto swept = run_sweep(request_of(wall_scene(), {"vt", "dm"}, {"threshold=1:6:1"}), host_of(here));
-  ASSERT_TRUE(swept);
+  const auto swept =
+      run_sweep(request_of(scene, {"vt", "dm"}, {"threshold=1:6:1", "dm.doi=axis", "dm.axis_deg=90"}), host_of(here));
+  ASSERT_TRUE(swept) << swept.error().message;
   ASSERT_EQ(swept->choices.size(), 2U);
   for (std::size_t method = 0; method < 2; ++method) {
     const SweepChoice& choice = swept->choices[method];
