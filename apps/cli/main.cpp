@@ -20,7 +20,7 @@ namespace {
 
 std::vector<Verb> all_verbs() {
   return {map_verb(),   eval_verb(), info_verb(),    doctor_verb(), methods_verb(),
-          bench_verb(), init_verb(), convert_verb(), sim_verb()};
+          bench_verb(), init_verb(), convert_verb(), sim_verb(),    sweep_verb()};
 }
 
 const std::vector<Example>& first_steps() {
