@@ -221,6 +221,8 @@ void SweepRun::lay_out_rows() {
 }
 
 void SweepRun::choose() {
+  // A parameter is chosen for one world: how the world behaves is no parameter.
+  if (drives_.count() > 1) return;
   const std::size_t per_method = result_.rows.size() / methods();
   for (std::size_t method = 0; per_method > 1 && method < methods(); ++method) {
     std::vector<ParameterScore> scores;

@@ -95,7 +95,8 @@ Result<void> check(const SweepRequest& request, std::size_t seeds) {
   if (request.methods.empty()) return bad_sweep("the sweep has no method", "--method", "give one, as --method vt");
   double maps = double(seeds) * double(request.methods.size());
   for (auto name = request.methods.begin(); name != request.methods.end(); ++name) {
-    if (const Result<AnyMethod> made = echoarc::make_method(*name); !made) return made.error();
+    if (const Result<AnyMethod> made = echoarc::make_method(*name); !made)
+      return bad_sweep(made.error().message, "--method", made.error().remedy);
     if (std::find(request.methods.begin(), name, *name) != name)
       return bad_sweep("method " + *name + " is given twice", "--method", "give it once");
   }

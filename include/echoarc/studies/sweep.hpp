@@ -46,7 +46,7 @@ struct SweepRequest {
 struct SweepScores {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   double mae_m = none;         ///< of the centres of occupied cells ([Barshan07] 3.8)
-  double mae_points_m = none;  ///< of the exact points of methods that have them
+  double mae_points_m = none;  ///< of the exact points of methods that have them, else the same
   double cdr_full = none;
   double cdr_empty = none;
   double cdr_overall = none;
@@ -87,7 +87,7 @@ struct SweepResult {
   std::vector<SweepAxis> axes;
   std::vector<std::uint64_t> seeds;  ///< a single 0 for a log
   std::vector<SweepRow> rows;        ///< method by method; the last axis varies fastest
-  std::vector<SweepChoice> choices;  ///< of methods with correct detection ratios and more than one row
+  std::vector<SweepChoice> choices;  ///< of methods with correct detection ratios and several rows, all of one world
 };
 
 /// More maps than this (methods x combinations x seeds) are a mistake.
