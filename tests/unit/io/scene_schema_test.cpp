@@ -3,6 +3,8 @@
 
 #include "echoarc/io/scene_schema.hpp"
 
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "support/temp_folder.hpp"
@@ -11,8 +13,11 @@ namespace echoarc::io {
 namespace {
 
 TEST(SceneSchema, TheCommittedFileIsCurrent) {
-  EXPECT_TRUE(test::contents(std::string(ECHOARC_SOURCE_DIR) + "/schema/scene.schema.json") == scene_schema())
-      << "schema/scene.schema.json is stale; run `echoarc sim --schema > schema/scene.schema.json`";
+  const std::string current = scene_schema();
+  if (test::contents(std::string(ECHOARC_SOURCE_DIR) + "/schema/scene.schema.json") == current) return;
+  const std::string fresh = testing::TempDir() + "scene.schema.json";
+  test::put(fresh, current);
+  FAIL() << "schema/scene.schema.json is stale: copy " << fresh << " over it, then run scripts/fill_scene_tables.py";
 }
 
 }  // namespace
