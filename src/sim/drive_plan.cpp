@@ -150,7 +150,7 @@ Result<DrivePlan> plan_drive(const Drive& drive, double stop_rest_s) {
 }
 
 Result<void> check_clearance(const World& world, const Trajectory& trajectory, double hull_radius_m) {
-  Trajectory::Move start{0.0, 0.0, trajectory.at(0.0), {}, 0.0, SpeedProfile(0.0, 1.0, 1.0), 0};
+  const Trajectory::Move start{0.0, 0.0, trajectory.at(0.0), {}, 0.0, SpeedProfile(0.0, 1.0, 1.0), 0};
   if (const Result<void> free = check_move(world, start, hull_radius_m); !free) return free;
   for (const Trajectory::Move& move : trajectory.moves())
     if (move.direction != Vec2{})
