@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <unordered_map>
 
 #include "sim/world_model.hpp"
@@ -161,7 +162,8 @@ Result<Topology> find_vertices(const WorldDescription& description, const Spatia
   if (!add_through_walls(description, index, topology, merger.points(), spokes))
     return Error{ErrorCode::too_large, "too many long walls lie on top of each other", "",
                  "split the scene, or leave walls out"};
-  std::ranges::stable_sort(spokes, {}, &Spoke::vertex);
+  std::ranges::sort(spokes, {},
+                    [](const Spoke& s) { return std::tuple(s.vertex, s.wall, s.direction.x, s.direction.y); });
   topology.walls_start.push_back(0);
   for (std::size_t i = 0; i < spokes.size();) {
     std::size_t end = i;
