@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "io/png_file.hpp"
+#include "echoarc/io/png_file.hpp"
 
 #include <cassert>
 

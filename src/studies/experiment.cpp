@@ -14,10 +14,6 @@
 namespace echoarc::studies {
 namespace {
 
-bool contains(const Box& region, Vec2 p) {
-  return p.x >= region.low.x && p.x < region.high.x && p.y >= region.low.y && p.y < region.high.y;
-}
-
 /// The exact points of a method that has them; none for grids.
 Result<std::optional<PointSet>> exact_points(const MapExport& map) {
   const std::span<const MapPoint> points = map.points.points();
@@ -62,23 +58,32 @@ Result<SceneScorer> SceneScorer::make(Reference reference, const SceneScoring& s
   return SceneScorer(std::make_shared<const Reference>(std::move(reference)), std::move(directions), scoring);
 }
 
+bool SceneScorer::inside(Vec2 p) const {
+  const Box& region = scoring_.region;
+  return p.x >= region.low.x && p.x < region.high.x && p.y >= region.low.y && p.y < region.high.y;
+}
+
+CorrectDetection SceneScorer::detection(const PointSet& map) const {
+  return correct_detection(map, *reference_, directions_).value();  // checked by `make`
+}
+
 PointSet SceneScorer::judged(const PointSet& map) const {
-  std::vector<Vec2> inside;
+  std::vector<Vec2> kept;
   for (const Vec2 p : map.points())
-    if (contains(scoring_.region, p)) inside.push_back(p);
+    if (inside(p)) kept.push_back(p);
   // Part of a set that is valid.
-  return map.cell_m() > 0.0 ? PointSet::of_cells(std::move(inside), map.cell_m()).value()
-                            : PointSet::make(std::move(inside)).value();
+  return map.cell_m() > 0.0 ? PointSet::of_cells(std::move(kept), map.cell_m()).value()
+                            : PointSet::make(std::move(kept)).value();
 }
 
 MapScore SceneScorer::score(const PointSet& map) const {
-  const PointSet inside = judged(map);
+  const PointSet inside_map = judged(map);
   MapScore score;
-  score.points = inside.size();
+  score.points = inside_map.size();
   double sum_m = 0.0;
-  for (const Vec2 p : inside.points()) sum_m += nearest_.distance_m(p);
-  score.mae_m = inside.empty() ? std::numeric_limits<double>::quiet_NaN() : sum_m / double(inside.size());
-  score.detection = correct_detection(inside, *reference_, directions_).value();  // checked by `make`
+  for (const Vec2 p : inside_map.points()) sum_m += nearest_.distance_m(p);
+  score.mae_m = inside_map.empty() ? std::numeric_limits<double>::quiet_NaN() : sum_m / double(inside_map.size());
+  score.detection = detection(inside_map);
   return score;
 }
 

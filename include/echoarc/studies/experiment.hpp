@@ -39,6 +39,11 @@ class SceneScorer {
   [[nodiscard]] MapScore score(const PointSet& map) const;
   /// The part of `map` that counts.
   [[nodiscard]] PointSet judged(const PointSet& map) const;
+  [[nodiscard]] bool inside(Vec2 p) const;
+  /// Metres to the nearest reference point.
+  [[nodiscard]] double distance_m(Vec2 p) const { return nearest_.distance_m(p); }
+  /// Of a map whose points are all inside.
+  [[nodiscard]] CorrectDetection detection(const PointSet& map) const;
 
   [[nodiscard]] const Reference& reference() const { return *reference_; }
   [[nodiscard]] const DirectionSet& directions() const { return directions_; }

@@ -6,7 +6,7 @@
 #include "io/files.hpp"
 #include "io/picture/page.hpp"
 #include "io/picture/view.hpp"
-#include "io/png_file.hpp"
+#include "echoarc/io/png_file.hpp"
 
 namespace echoarc::io {
 

@@ -9,7 +9,7 @@
 #include "echoarc/io/map_server.hpp"
 #include "io/gray_image.hpp"
 #include "io/map_yaml.hpp"
-#include "io/png_file.hpp"
+#include "echoarc/io/png_file.hpp"
 #include "support/drawn_map.hpp"
 
 namespace echoarc::io {
