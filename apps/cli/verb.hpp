@@ -48,5 +48,6 @@ struct Verb {
 [[nodiscard]] Verb methods_verb();
 [[nodiscard]] Verb bench_verb();
 [[nodiscard]] Verb convert_verb();
+[[nodiscard]] Verb reproduce_verb();
 
 }  // namespace echoarc::cli
