@@ -15,6 +15,7 @@
 #include "cli/eval_input.hpp"
 #include "cli/report.hpp"
 #include "cli/table.hpp"
+#include "cli/truth_input.hpp"
 #include "cli/verb.hpp"
 #include "echoarc/eval/score_report.hpp"
 
@@ -111,15 +112,16 @@ Result<std::vector<NamedScore>> score_all(const EvalArguments& arguments, std::o
   Result<PointSet> path = load_path(arguments.maps, arguments.path);
   if (!path) return path.error();
   if (path->empty()) warn("no path of the robot: coverage is left out (give --path FILE.csv with columns x,y)");
-  const Result<Reference> reference = load_reference(arguments.reference);
-  if (!reference) return reference.error();
+  Result<Truth> truth = load_truth(arguments.reference, *path);
+  if (!truth) return truth.error();
+  if (!directions) directions = std::move(truth->directions);
   const ScoreRequest request{.path = std::move(*path),
                              .wall_distance = {},
                              .directions = std::move(directions),
                              .detection_tolerance_m = std::nullopt};
   std::vector<NamedScore> scores;
   for (const NamedMap& map : *maps) {
-    Result<ScoreReport> report = score(map.points, *reference, request);
+    Result<ScoreReport> report = score(map.points, truth->reference, request);
     if (!report) return report.error();
     scores.push_back({map.name, std::move(*report)});
   }
@@ -144,7 +146,7 @@ Action declare(CLI::App& app) {
       ->required()
       ->type_name("PATH");
   app.add_option("--reference", arguments->reference.log,
-                 "the truth: CSV of surfaces (polyline,x,y), a map.yaml, or a log with a laser")
+                 "the truth: CSV of surfaces (polyline,x,y), a map.yaml, a scene (file or name), or a log with a laser")
       ->required()
       ->type_name("PATH");
   declare_log_files(app, arguments->reference);
@@ -170,6 +172,7 @@ Verb eval_verb() {
   return {"eval",
           "scores of maps against a reference",
           {{"echoarc eval room-map --reference room-truth.csv", "every method of a folder against surfaces"},
+           {"echoarc eval demo-map --reference demo", "against the scene that a log was simulated in"},
            {"echoarc eval room-map/dm --reference room-map/evidence/map.yaml", "one map against another"},
            {"echoarc eval run1-map --reference run1 --describe corridor.toml", "against the log's own laser"},
            {"echoarc eval room-map --reference room-truth.csv --doi axis:90 --region 0 0 6 4",

@@ -41,6 +41,7 @@ class HelpTest(CommandTest):
         fixtures.write_robot(self.session / "robot.toml")
         (self.session / "drive.clf").write_text(CARMEN)
         self.succeed("map", "room.jsonl", cwd=self.session)
+        self.succeed("map", "room.jsonl", "-o", "demo-map", cwd=self.session)
         self.succeed("map", "run1", "--describe", "corridor.toml", cwd=self.session)
 
     def examples(self, *verb):

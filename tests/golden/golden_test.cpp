@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Whole runs over the demo log, pinned: one line per method with its counts and a hash of everything it hands over,
-// values rounded to 1e-6. The lines in room.txt were written by this program:
+// Whole runs over a made-up log of a ring of sonars in a room, pinned (it is older than the simulator and stays as it
+// is): one line per method with its counts and a hash of everything it hands over, values rounded to 1e-6. The lines in
+// room.txt were written by this program:
 //
 //     ECHOARC_GOLDEN=write build/dev/tests/golden/golden_test
 
