@@ -56,8 +56,10 @@ class DocumentTest(CommandTest):
             for command in commands(page.read_text()):
                 with self.subTest(page=page.name, command=command):
                     arguments = shlex.split(command, comments=True)[1:]
-                    if arguments[0] == "init" and "-o" in arguments:
-                        (self.dir / arguments[arguments.index("-o") + 1]).unlink(missing_ok=True)
+                    if arguments[0] in ("init", "sim") and "-o" in arguments:  # another page may have written it
+                        output = self.dir / arguments[arguments.index("-o") + 1]
+                        for file in (output, output.with_suffix(".png")):
+                            file.unlink(missing_ok=True)
                     self.succeed(*arguments)
                     count += 1
         self.assertGreaterEqual(count, 8, "the pages hardly show a command; is the search broken?")
