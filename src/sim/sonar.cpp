@@ -53,6 +53,8 @@ Sonar::Sonar(const World& world, const SensorArray& array, const SonarOptions& o
   for (const Sensor& sensor : sensors_) longest_s = std::max(longest_s, time_out_s(sensor, assumed_m_s_));
   farthest_m_ = std::min(true_m_s_ * (longest_s + afterlife_s), farthest_audible_m(options));
   memory_s_ = farthest_m_ / true_m_s_;
+  const std::size_t listeners = options.listening == Listening::own ? 1 : sensors_.size();
+  outlier_share_of_windows_ = options.outlier_share / double(listeners);
 }
 
 void Sonar::listen(std::span<const Firing> earlier, const Firing& now, std::vector<Ping>& pings) {
@@ -140,7 +142,7 @@ void Sonar::add_cross_talk(std::span<const Firing> earlier, const Firing& now, c
 /// Draws the same numbers whatever the options are, so that a change of one leaves the noise of the others as it was.
 void Sonar::report(Ping ping, const Window& window, Rng& rng, std::vector<Ping>& pings) {
   const bool dropped = rng.uniform() < options_.dropout_share;
-  const bool outlier = rng.uniform() < options_.outlier_share;
+  const bool outlier = rng.uniform() < outlier_share_of_windows_;
   const double outlier_s = rng.uniform(window.opens_s, window.closes_s);
   if (outlier) return pings.push_back(heard(ping, 0.5 * assumed_m_s_ * outlier_s, EchoCause::outlier));
   const std::size_t first = pings.size();

@@ -71,6 +71,7 @@ class Sonar {
   double assumed_m_s_;  // and as the robot takes it
   double farthest_m_;   // longer paths are never heard
   double memory_s_;
+  double outlier_share_of_windows_;
   Acoustics acoustics_;
   PathFinder finder_;
   std::vector<Arrival> arrivals_;

@@ -114,8 +114,13 @@ struct SonarOptions {
                .source = "[Barshan07] 4.1: +-1 %, taken as three sigma"}),
         field("dropout_share", &S::dropout_share,
               {.min = 0.0, .max = 1.0, .doc = "share of the windows in which nothing is heard, whatever arrives"}),
-        field("outlier_share", &S::outlier_share,
-              {.min = 0.0, .max = 1.0, .doc = "share of the windows that report a range at random instead"}),
+        field(
+            "outlier_share", &S::outlier_share,
+            {.min = 0.0,
+             .max = 1.0,
+             .doc =
+                 "share of the firings of which a receiver reports a range at random; where all sensors listen, any of "
+                 "them may"}),
         field("quantum_m", &S::quantum_m,
               {.unit = "m",
                .min = 0.0,

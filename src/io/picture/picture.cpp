@@ -3,10 +3,10 @@
 
 #include "echoarc/io/picture.hpp"
 
+#include "echoarc/io/png_file.hpp"
 #include "io/files.hpp"
 #include "io/picture/page.hpp"
 #include "io/picture/view.hpp"
-#include "echoarc/io/png_file.hpp"
 
 namespace echoarc::io {
 

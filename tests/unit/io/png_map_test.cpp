@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "echoarc/io/map_server.hpp"
+#include "echoarc/io/png_file.hpp"
 #include "io/gray_image.hpp"
 #include "io/map_yaml.hpp"
-#include "echoarc/io/png_file.hpp"
 #include "support/drawn_map.hpp"
 
 namespace echoarc::io {

@@ -192,7 +192,7 @@ TEST(Simulate, TheSameSeedGivesTheSameLog) {
   EXPECT_EQ(first, fingerprint(run(noisy_scene(), 42)));
   EXPECT_NE(first, fingerprint(run(noisy_scene(), 43)));
   // Pinned, so that a change of the physics does not go unnoticed. The commit that changes it says why.
-  EXPECT_EQ(first, 2809068999977607480ULL);
+  EXPECT_EQ(first, 13317245218198512750ULL);
 }
 
 }  // namespace
