@@ -97,7 +97,7 @@ Trace EvidenceGrid::trace(const Reading& reading) const {
 }
 
 bool EvidenceGrid::supports(const Reading& reading, Vec2 position) const {
-  Planner planner(options_);
+  const Planner planner(options_);
   const auto reach = planner.reach_of(reading);
   if (!reach || !reach->echo_m) return false;
   const Vec2 centre = grid_.geometry().centre(grid_.geometry().cell_of(position));

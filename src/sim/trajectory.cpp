@@ -44,7 +44,7 @@ void Trajectory::add_turn(Angle by, Angle max_rate_per_s, Angle acceleration_per
 void Trajectory::add(Move move) {
   end_s_ += move.profile.duration_s();
   if (move.direction != Vec2{}) length_m_ += move.profile.way();
-  moves_.push_back(std::move(move));
+  moves_.push_back(move);
 }
 
 const Trajectory::Move* Trajectory::move_at(double time_s) const {

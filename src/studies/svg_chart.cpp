@@ -158,7 +158,7 @@ void Drawing::draw_band(const ChartSeries& series, std::string_view color) {
     back.insert(0, px(x_px(series.x[k])) + "," + px(y_px(series.low[k])) + " ");
   }
   if (there.empty()) return;
-  out_ += "<polygon points=\"" + there + back + "\" fill=\"" + std::string(color) + R"(" fill-opacity="0.15"/>)" + "\n";
+  out += "<polygon points=\"" + there + back + "\" fill=\"" + std::string(color) + R"(" fill-opacity="0.15"/>)" + "\n";
 }
 
 void Drawing::draw_line(const ChartSeries& series, std::string_view color) {
@@ -170,8 +170,8 @@ void Drawing::draw_line(const ChartSeries& series, std::string_view color) {
     pen_down = here;
   }
   if (path.empty()) return;
-  out_ += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + std::string(color) + "\" stroke-width=\"2\"" +
-          (series.dashed ? " stroke-dasharray=\"7 4\"" : "") + "/>\n";
+  out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + std::string(color) + "\" stroke-width=\"2\"" +
+         (series.dashed ? " stroke-dasharray=\"7 4\"" : "") + "/>\n";
 }
 
 void Drawing::draw_marks(const ChartSeries& series, std::size_t index) {
@@ -237,7 +237,7 @@ void Drawing::draw_legend() {
     if (series.mark == ChartMark::bar)
       rectangle(x, y - 5.0, 18.0, 10.0, color);
     else if (series.mark != ChartMark::scatter)
-      segment(x, y, x + 18.0, y, "stroke=\"" + color + "\" stroke-width=\"2\"" + dash);
+      segment(x, y, x + 18.0, y, std::string("stroke=\"").append(color).append("\" stroke-width=\"2\"").append(dash));
     if (series.mark == ChartMark::scatter || series.mark == ChartMark::both) marker(x + 9.0, y, k, color);
     text(x + 24.0, y + 4.0, "start", series.name);
   }
@@ -245,10 +245,10 @@ void Drawing::draw_legend() {
 
 std::string Drawing::take() && {
   const std::string size = px(width_) + "\" height=\"" + px(height_);
-  out_ = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )" + px(width_) + " " + px(height_) + "\" width=\"" +
-         size + R"(" font-family="sans-serif" font-size="12" fill="#222" role="img">)" + "\n";
-  out_ += "<title>" + escaped(chart_.title) + "</title>\n";
-  out_ += R"(<rect width="100%" height="100%" fill="#fff"/>)" + std::string("\n");
+  out = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )" + px(width_) + " " + px(height_) + "\" width=\"" +
+        size + R"(" font-family="sans-serif" font-size="12" fill="#222" role="img">)" + "\n";
+  out += "<title>" + escaped(chart_.title) + "</title>\n";
+  out += R"(<rect width="100%" height="100%" fill="#fff"/>)" + std::string("\n");
   draw_axes();
   for (std::size_t k = 0; k < chart_.series.size(); ++k) draw_series(k);
   const bool empty = std::ranges::all_of(chart_.series, [](const ChartSeries& series) {
@@ -256,7 +256,7 @@ std::string Drawing::take() && {
   });
   if (empty) text(0.5 * (left_ + right_), 0.5 * (top_ + bottom_), "middle", "no values");
   if (has_legend(chart_)) draw_legend();
-  return std::move(out_) + "</svg>\n";
+  return std::move(out) + "</svg>\n";
 }
 
 }  // namespace

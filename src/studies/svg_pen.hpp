@@ -25,7 +25,7 @@ class SvgPen {
   void rectangle(double x, double y, double width, double height, std::string_view color);
 
  protected:
-  std::string out_;
+  std::string out;
 };
 
 }  // namespace echoarc::studies

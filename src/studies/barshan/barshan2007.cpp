@@ -42,30 +42,34 @@ StudySection differences() {
   StudySection section;
   section.id = "differences";
   section.title = "What does not agree, and why";
-  section.paragraphs = {
+  section.paragraphs.emplace_back(
       "The set-ups are known in part. The paper prints neither the profile of the cardboard nor the lengths of the "
       "room, nor where on its way around the room the robot read and turned, nor which pairs of sensors made arcs. "
-      "Ours "
-      "were laid out to give its counts of directions; the count of arcs was the one number the detection threshold of "
-      "the simulated sonar was set by, on the curve.",
+      "Ours were laid out to give its counts of directions; the count of arcs was the one number the detection "
+      "threshold of the simulated sonar was set by, on the curve.");
+  section.paragraphs.emplace_back(
       "Rooms: methods that keep single points (PM, ATM, TBF) err two to five times less than in the paper. Its robot "
       "had odometry and its reference was measured by the same robot with structured light; ours knows its poses, and "
-      "the reference is the true wall.",
+      "the reference is the true wall.");
+  section.paragraphs.emplace_back(
       "Rooms: there are more arcs than in the paper, because the robot also reads while it turns in the corners of its "
       "way, every 6 degrees, in which its sensors move 2.5 cm. Without these readings the walls near the corners stay "
       "unseen and CDR_F of VT falls to 0.64. With them the maximum along lines across the walls has little to choose "
-      "from in the corners, and the MAE of DM lies above that of VT.",
+      "from in the corners, and the MAE of DM lies above that of VT.");
+  section.paragraphs.emplace_back(
       "Curve: our CDR_E stays below the paper's at the printed thresholds. Ghosts beside the ends of the surface fill "
-      "directions that ought to be empty; the paper's cardboard bends away there, ours ends.",
+      "directions that ought to be empty; the paper's cardboard bends away there, ours ends.");
+  section.paragraphs.emplace_back(
       "BU: a cell that echoes have once passed cannot become occupied again as the update is printed, so every echo at "
-      "random takes a piece of the surface away for good. On the curve without such outliers BU reaches CDR_F 0.63, "
-      "with "
-      "the 2 % of the profile 0.30, printed are 0.76.",
+      "random takes a piece of the surface away for good. On the curve without such outliers BU reaches CDR_F 0.64, "
+      "with the 2 % of the profile 0.30, printed are 0.76.");
+  section.paragraphs.emplace_back(
       "TBF: our triangulations are more accurate than the printed ones. The paper does not print the gate by which "
-      "triangulations belong together; ours is 0.25 m, and circular arcs alone take part.",
+      "triangulations belong together; ours is 0.25 m, and circular arcs alone take part.");
+  section.paragraphs.emplace_back(
       "Times: a present machine and grids in tiles, hashes and row spans take between a tenth (PM, TBF, BU) and an "
       "eightieth (VT, ATM) of the printed times. ATM gains so much because arcs are found by place, not in all pairs; "
-      "BU is then the slowest."};
+      "BU is then the slowest.");
   return section;
 }
 

@@ -83,7 +83,7 @@ PictureFigure picture_of(const PlaceStudy& study, const std::vector<Vec2>& cells
   picture.add_line(study.runs.front().path, path_color, 2);
   const double pixels_per_cell =
       picture_px * study.scoring.cell_m / (study.scoring.region.high.x - study.scoring.region.low.x);
-  picture.add_points(cells, map_color, std::max(2, std::int32_t(pixels_per_cell + 0.5)));
+  picture.add_points(cells, map_color, std::max(2, std::int32_t(std::lround(pixels_per_cell))));
   return {std::move(id), std::move(caption), picture.image()};
 }
 

@@ -73,7 +73,7 @@ StudyRow concordance(const PlaceStudy& study, std::span<const Technique> rising,
       }
     right.push_back(count);
   }
-  const auto pairs = double(rising.size() * (rising.size() - 1) / 2);
+  const double pairs = 0.5 * double(rising.size() * (rising.size() - 1));
   StudyRow row =
       row_of({"pairs in the paper's order", (mae ? "MAE, " : "CDR_O, ") + std::string(title_of(study.place)), "", 1},
              pairs, right);

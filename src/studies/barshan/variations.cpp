@@ -13,8 +13,8 @@ namespace {
 
 constexpr double curve_step_m = 0.0005;
 
-void add(std::vector<Variation>& all, std::string study, std::string unit, const std::vector<double>& values,
-         int decimals) {
+void add(std::vector<Variation>& all, const std::string& study, const std::string& unit,
+         const std::vector<double>& values, int decimals) {
   for (const double value : values)
     all.push_back({study, unit, value, fixed(value, decimals) + (unit.empty() ? "" : " ") + unit, "layout-circular"});
 }
