@@ -116,10 +116,8 @@ Result<StudyReport> numakura(const StudyHost& host) {
   report.seeds = host.seeds;
   report.summary = {
       "The paper prints neither its rooms nor its parameters: rooms and steps are ours. A sonar that hears nothing "
-      "changes "
-      "no cell, for the paper maps distances and has no word for silence. With the default weight of silence all four "
-      "maps "
-      "are cleared alike behind slanted smooth walls, and their order drowns."};
+      "changes no cell, for the paper maps distances and has no word for silence. With the default weight of silence "
+      "all four maps are cleared alike behind slanted smooth walls, and their order drowns."};
   StudyProgress progress(host, rooms.size() * std::size_t(host.seeds));
   for (const Room& room : rooms) {
     Result<StudyScene> scene = host.scene(room.scene);

@@ -226,15 +226,13 @@ double floor_area_m2(const sim::WorldDescription& world) {
 std::vector<std::string> remarks() {
   return {
       "In the paper arc carving leaves more arcs unprocessed than ATM over all radii, because most of its arcs are "
-      "very "
-      "short: a robot that follows the generalized Voronoi graph close to things. Our tour keeps to the middle of "
+      "very short: a robot that follows the generalized Voronoi graph close to things. Our tour keeps to the middle of "
       "corridors of 2 m, where few arcs are short. By radius the picture is the paper's: ATM waits longer the farther "
-      "the "
-      "echo, arc carving hardly depends on it.",
+      "the echo, arc carving hardly depends on it.",
       "How much is carved depends on the guard. Without one, the error of the ranges makes a reading carve arcs of the "
       "very surface it has just measured; a guard of one range step prevents that and leaves more arcs untouched.",
-      "Polling repeats a register that has not changed, so that more readings pass the filter for jumps than with "
-      "stamps, and it dates some of them up to half an interval wrongly."};
+      "Firings that sonar polling tells from the registers are dated so well that their maps equal those of stamped "
+      "pings; polls dated as they are read misplace points."};
 }
 
 }  // namespace
