@@ -14,7 +14,8 @@
 namespace echoarc::io {
 namespace {
 
-void append_point(std::string& text, const PointMap& points, const MapPoint& point) {
+void append_point(std::string& text, const PointMap& points, std::size_t k) {
+  const MapPoint& point = points.points()[k];
   auto out = std::back_inserter(text);
   fmt::format_to(out, "{},{},{},{},", point.position.x, point.position.y, name(point.label), point.bound_m);
   if (std::isnan(point.time_s))
@@ -26,14 +27,20 @@ void append_point(std::string& text, const PointMap& points, const MapPoint& poi
     fmt::format_to(out, "{}{}", separator, ping);
     separator = ";";
   }
+  if (!points.beliefs().empty()) {
+    const PointBelief& belief = points.beliefs()[k];
+    fmt::format_to(out, ",{},{},{},{}", belief.normal.x, belief.normal.y, belief.probability,
+                   belief.provisional ? 1 : 0);
+  }
   text += '\n';
 }
 
 }  // namespace
 
 std::string points_csv(const PointMap& points) {
-  std::string text = "x,y,label,bound,t,sensor,ping,support\n";
-  for (const MapPoint& point : points.points()) append_point(text, points, point);
+  std::string text = "x,y,label,bound,t,sensor,ping,support";
+  text += points.beliefs().empty() ? "\n" : ",nx,ny,p,provisional\n";
+  for (std::size_t k = 0; k < points.size(); ++k) append_point(text, points, k);
   return text;
 }
 

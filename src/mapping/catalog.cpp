@@ -13,6 +13,7 @@
 #include "echoarc/mapping/carved_grid.hpp"
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/combined.hpp"
+#include "echoarc/mapping/consensus.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
 #include "echoarc/mapping/himm.hpp"
@@ -93,6 +94,11 @@ constexpr std::array methods{
     entry<Combined>("Arc carving and median combined",
                     "Arc carving and the arc-transversal median side by side on one history, their points in one map.",
                     "[Silver04] 4, 5.A"),
+    entry<Consensus>(
+        "Tangent consensus",
+        "Arcs tell one another where on them a wall or a corner lies: points that are right, nearly all of "
+        "them, and linked.",
+        "docs/methods/consensus.md"),
 };
 
 }  // namespace

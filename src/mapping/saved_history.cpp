@@ -7,11 +7,10 @@
 #include <numbers>
 
 namespace echoarc {
-namespace {
 
 static_assert(sizeof(Arc) == 11 * sizeof(double), "an arc is written as it lies in memory, without padding");
 
-bool plausible(const Arc& arc) {
+bool is_plausible(const Arc& arc) {
   const double full_turn = 2.0 * std::numbers::pi;
   const bool ordered = arc.t_begin() <= arc.t_end() && abs(arc.t_begin()).rad() < full_turn &&
                        abs(arc.t_end()).rad() < full_turn && arc.half_width() > Angle{} &&
@@ -19,8 +18,6 @@ bool plausible(const Arc& arc) {
   return ordered && arc.range_m() > 0.0 && arc.semi_minor_m() > 0.0 && arc.semi_minor_m() <= arc.range_m() &&
          std::abs(norm(arc.focal_axis()) - 1.0) < 1e-6 && is_finite(arc.transmitter()) && ArcHistory::is_storable(arc);
 }
-
-}  // namespace
 
 void save_history(ByteWriter& out, const ArcHistory& history) {
   out.put<std::uint64_t>(history.size());
@@ -41,7 +38,7 @@ bool restore_history(ByteReader& in, ArcHistory& history) {
     source.ping = in.get<PingId>();
     source.time_s = in.get<double>();
     source.sensor = static_cast<SensorId>(in.get<std::uint64_t>());
-    if (!in.ok() || !plausible(arc) || history.leaving(source.sensor)) return false;
+    if (!in.ok() || !is_plausible(arc) || history.leaving(source.sensor)) return false;
     history.insert(arc, source);
   }
   return in.ok();

@@ -9,6 +9,9 @@
 
 namespace echoarc {
 
+/// Whether an arc read from bytes is one that a reading could have given.
+[[nodiscard]] bool is_plausible(const Arc& arc);
+
 /// Writes the arcs of a history, oldest first.
 void save_history(ByteWriter& out, const ArcHistory& history);
 /// Puts them into an empty history of the same scope and capacity, so that slots count from the oldest arc. False when

@@ -21,11 +21,17 @@ enum class PointLabel : std::uint8_t {
   atm,           ///< the median of an arc's transversal intersections
   edge,          ///< where several arcs meet in one point: an edge or a pole
   triangulated,  ///< where arcs meet, but not in one point: a wall, most likely
+  wall,          ///< where a wall touches an arc, by the consensus of arcs
+  point,         ///< where a corner, an edge or a pole lies on an arc, by the consensus of arcs
+  link,          ///< between two such points with nothing that speaks against a wall
+  zone,          ///< what a wall must reach to for its echo to be heard
+  weak,          ///< likelier than anywhere else on its arc, where the map has nothing else
 };
-inline constexpr std::size_t point_label_count = 6;
+inline constexpr std::size_t point_label_count = 11;
 /// As files spell it.
 [[nodiscard]] constexpr std::string_view name(PointLabel label) {
-  constexpr std::string_view names[point_label_count] = {"centerline", "cell", "carved", "atm", "edge", "triangulated"};
+  constexpr std::string_view names[point_label_count] = {
+      "centerline", "cell", "carved", "atm", "edge", "triangulated", "wall", "point", "link", "zone", "weak"};
   return names[static_cast<std::size_t>(label)];
 }
 
@@ -40,6 +46,14 @@ struct MapPoint {
   std::uint32_t support_count = 0;
 };
 
+/// What some methods know of a point besides.
+struct PointBelief {
+  Vec2 normal;               ///< unit vector out of the surface, towards the sensor
+  double probability = 1.0;  ///< that the point is where its method says
+  bool provisional = false;  ///< what follows may still move or remove it
+  friend bool operator==(const PointBelief&, const PointBelief&) = default;
+};
+
 /// Points with the pings that speak for them.
 class PointMap {
  public:
@@ -49,15 +63,23 @@ class PointMap {
     support_.insert(support_.end(), support.begin(), support.end());
     points_.push_back(point);
   }
+  /// The same with a belief; a map has one for each of its points or for none.
+  void add(MapPoint point, std::span<const PingId> support, const PointBelief& belief) {
+    add(point, support);
+    beliefs_.push_back(belief);
+  }
   /// Keeps the first `count` points.
   void truncate(std::size_t count) {
     if (count >= points_.size()) return;
     support_.resize(points_[count].support_begin);
     points_.resize(count);
+    if (count < beliefs_.size()) beliefs_.resize(count);
   }
   [[nodiscard]] std::span<const MapPoint> points() const { return points_; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] bool empty() const { return points_.empty(); }
+  /// One a point in the same order, or empty.
+  [[nodiscard]] std::span<const PointBelief> beliefs() const { return beliefs_; }
   /// Ids of the pings behind a point of this map; empty for cells, whose support is found by replay.
   [[nodiscard]] std::span<const PingId> support(const MapPoint& point) const {
     return std::span<const PingId>(support_).subspan(point.support_begin, point.support_count);
@@ -66,6 +88,7 @@ class PointMap {
  private:
   std::vector<MapPoint> points_;
   std::vector<PingId> support_;
+  std::vector<PointBelief> beliefs_;
 };
 
 }  // namespace echoarc

@@ -43,8 +43,17 @@ void add_cells(std::vector<LegendItem>& items, const PictureContent& content) {
 }
 
 void add_points(std::vector<LegendItem>& items, const PictureContent& content) {
-  constexpr std::array<std::string_view, point_label_count> texts = {
-      "centerline points", "map points", "carved points", "transversal medians", "edge points", "triangulated points"};
+  constexpr std::array<std::string_view, point_label_count> texts = {"centerline points",
+                                                                     "map points",
+                                                                     "carved points",
+                                                                     "transversal medians",
+                                                                     "edge points",
+                                                                     "triangulated points",
+                                                                     "walls",
+                                                                     "corners, edges, poles",
+                                                                     "links",
+                                                                     "reflecting zones",
+                                                                     "weak points"};
   for (std::size_t k = 0; k < texts.size(); ++k) {
     const auto label = static_cast<PointLabel>(k);
     if (std::ranges::find(content.points, label, &MapPoint::label) != content.points.end())

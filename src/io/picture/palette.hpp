@@ -27,8 +27,9 @@ inline constexpr Color path = rgb(0x1763C6);
 
 /// One colour a label; told apart by people with red-green blindness, too.
 [[nodiscard]] constexpr Color of(PointLabel label) {
-  constexpr Color colors[point_label_count] = {rgb(0xBC7600), rgb(0x5B1F92), rgb(0x00786B),
-                                               rgb(0x5B1F92), rgb(0xC2185B), rgb(0x2E86C1)};
+  constexpr Color colors[point_label_count] = {rgb(0xBC7600), rgb(0x5B1F92), rgb(0x00786B), rgb(0x5B1F92),
+                                               rgb(0xC2185B), rgb(0x2E86C1), rgb(0x1D2630), rgb(0xC2185B),
+                                               rgb(0x8A97A5), rgb(0x2E86C1), rgb(0xE09F3E)};
   return colors[static_cast<std::size_t>(label)];
 }
 

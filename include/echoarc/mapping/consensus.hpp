@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "echoarc/mapping/consensus_options.hpp"
+#include "echoarc/mapping/method.hpp"
+
+namespace echoarc {
+
+/// Tangent consensus: every arc asks its neighbours where on it the echo came from (docs/methods/consensus.md).
+///
+/// A wall that reflects an echo is tangent to the echo's arc, and to the arcs of its other echoes; a corner, an edge or
+/// a pole lies on all of its arcs. Each bearing of an arc collects what its neighbours say for either hypothesis,
+/// weighted by what they know of themselves, and against it, where they looked through it. The likeliest bearings
+/// become points; rays that pass through well supported surfaces are outliers, surfaces that many rays pass through are
+/// removed, and gaps between neighbours are linked.
+///
+/// An arc is compared with `history` arcs before and after it, so what a new reading says moves points of the newest
+/// `sweeps * history` arcs alone: `finish` weighs only those again, and gives the same map however often it is called.
+/// Silence says nothing to this method. A sensor that neither moves nor turns says one thing, once; without neighbours
+/// an arc gives no point.
+class Consensus {
+ public:
+  using Options = ConsensusOptions;
+  using Map = PointMap;
+  static constexpr std::string_view name = "consensus";
+
+  explicit Consensus(Options options = {});
+  Consensus(Consensus&&) noexcept;
+  Consensus& operator=(Consensus&&) noexcept;
+  ~Consensus();
+
+  [[nodiscard]] const Options& options() const { return options_; }
+  void insert(std::span<const Reading> readings, Executor& executor);
+  void finish(Executor& executor);
+  /// Walls and points in the order of their echoes, then links, zones and weak points; each with a belief. `bound_m`
+  /// holds with 90 %. Walls, points: supported by the echo's ping, then by up to 15 of those beside it; links by their
+  /// ends; zones by their walls'.
+  [[nodiscard]] const Map& map() const { return map_; }
+  [[nodiscard]] Result<MapExport> export_map() const;
+  [[nodiscard]] const InsertCounters& counters() const { return counters_; }
+  /// Points of each label, and of them the provisional ones.
+  [[nodiscard]] std::vector<Tally> tallies() const;
+  /// What the first sweep makes of the reading, with the arcs before it.
+  [[nodiscard]] Trace trace(const Reading& reading) const;
+  /// Whether the position lies on what is searched of the reading's arc (within `eps_length_m`).
+  [[nodiscard]] bool supports(const Reading& reading, Vec2 position) const;
+  [[nodiscard]] std::vector<std::byte> save() const;
+  [[nodiscard]] static Result<Consensus> restore(std::span<const std::byte> bytes);
+
+  /// Bytes that count against the memory limit.
+  [[nodiscard]] std::size_t memory_bytes() const;
+
+ private:
+  class State;
+
+  void take(const Reading& reading);
+  void settle(std::size_t end, Executor& executor);
+
+  Options options_;
+  InsertCounters counters_;
+  PointMap map_;  // as of the last `finish`
+  std::unique_ptr<State> state_;
+};
+
+static_assert(MappingMethod<Consensus>);
+
+}  // namespace echoarc

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "mapping/consensus/layers.hpp"
+
+#include <cmath>
+
+#include "mapping/consensus/point_finder.hpp"
+#include "mapping/consensus/validation.hpp"
+
+namespace echoarc::consensus {
+namespace {
+
+constexpr double finder_cell_m = 0.25;
+
+/// The elements of arcs near enough whose estimate is good enough, after the vote.
+template <class Good>
+std::vector<Element> voted(const ArcTable& arcs, const ConsensusOptions& options,
+                           std::span<const EchoEstimate> estimates, std::span<const Vec2> path, Good good) {
+  std::vector<Element> elements;
+  for (std::size_t i = 0; i < estimates.size(); ++i)
+    if (arcs[i].arc.range_m() < options.map_range_m && good(estimates[i]))
+      elements.push_back(element_of(arcs, i, estimates[i].t));
+  const std::vector<bool> valid = validate(arcs, options, elements, path);
+  std::vector<Element> kept;
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    if (valid[k]) kept.push_back(elements[k]);
+  return kept;
+}
+
+/// What a certain wall must reach to for its echo to be heard: so many radii of the first Fresnel zone,
+/// sqrt(lambda r/2), to either side.
+std::vector<Element> zones_of(const ArcTable& arcs, const ConsensusOptions& options,
+                              std::span<const EchoEstimate> estimates, std::span<const Element> accepted) {
+  std::vector<Element> zones;
+  for (const double side : {1.0, -1.0})
+    for (const Element& element : accepted) {
+      const EchoEstimate& estimate = estimates[element.echo];
+      if (estimate.wall_share <= 0.5 || estimate.p <= options.strict_p) continue;
+      const double range_m = arcs[element.echo].arc.range_m();
+      const double radius_m = options.zone * std::sqrt(0.5 * options.wavelength_m * range_m);
+      zones.push_back(
+          {element.echo, element.position + side * radius_m * perpendicular(element.normal), element.normal});
+    }
+  return zones;
+}
+
+/// Calls `put(position, share)` for the points of a link between its ends, `share` of the way along.
+template <class Put>
+void along_link(const Link& link, std::span<const Element> elements, double step_m, Put put) {
+  const Vec2 begin = elements[link.first].position;
+  const Vec2 way = elements[link.second].position - begin;
+  const double pieces = std::ceil(norm(way) / step_m);
+  for (double m = 1.0; m < pieces; ++m) put(begin + (m / pieces) * way, m / pieces);
+}
+
+/// Weak elements where the map has nothing within `tolerance_m`.
+std::vector<Element> weak_of(const ArcTable& arcs, const ConsensusOptions& options,
+                             std::span<const EchoEstimate> estimates, std::span<const Vec2> path,
+                             const Layers& layers) {
+  std::vector<Vec2> shown;
+  for (const Element& element : layers.accepted) shown.push_back(element.position);
+  for (const Element& zone : layers.zones) shown.push_back(zone.position);
+  for (const Link& link : layers.links)
+    along_link(link, layers.accepted, options.link_step_m, [&](Vec2 p, double) { shown.push_back(p); });
+  const PointFinder finder(shown, finder_cell_m);
+  std::vector<Element> weak;
+  for (const Element& element :
+       voted(arcs, options, estimates, path, [&](const EchoEstimate& e) { return e.p > options.weak_p; })) {
+    bool covered = false;
+    finder.near(element.position, options.tolerance_m,
+                [&](std::size_t k) { covered = covered || norm(shown[k] - element.position) <= options.tolerance_m; });
+    if (!covered) weak.push_back(element);
+  }
+  return weak;
+}
+
+}  // namespace
+
+Layers build_layers(const ArcTable& arcs, const ConsensusOptions& options, std::span<const EchoEstimate> estimates,
+                    std::span<const Vec2> path) {
+  const double least_p = options.mode == ConsensusMode::strict ? options.strict_p : options.accept_p;
+  const bool complete = options.mode == ConsensusMode::complete;
+  Layers layers;
+  layers.accepted = voted(arcs, options, estimates, path,
+                          [&](const EchoEstimate& e) { return e.p > least_p && e.evidence > options.evidence; });
+  layers.links = find_links(arcs, options, layers.accepted, complete ? options.complete_link_m : options.link_m);
+  if (!complete) return layers;
+  layers.zones = zones_of(arcs, options, estimates, layers.accepted);
+  layers.weak = weak_of(arcs, options, estimates, path, layers);
+  return layers;
+}
+
+namespace {
+
+/// Writes layers into a point map.
+class LayerWriter {
+ public:
+  LayerWriter(const ArcTable& arcs, const ConsensusOptions& options, std::span<const EchoEstimate> estimates,
+              std::span<const Element> accepted)
+      : arcs_(arcs),
+        options_(options),
+        estimates_(estimates),
+        accepted_(accepted),
+        positions_(positions_of(accepted)),
+        finder_(positions_, finder_cell_m) {}
+
+  void put(const Element& element, PointLabel label) {
+    const EchoArc& echo = arcs_[element.echo];
+    const EchoEstimate& estimate = estimates_[element.echo];
+    support_.assign(1, echo.source.ping);
+    if (label != PointLabel::weak) add_companions(element);
+    add(element.position, label, estimate.bound_m, element.echo, {-element.normal, estimate.p, false});
+  }
+
+  void put(const Link& link) {
+    const Element& first = accepted_[link.first];
+    const Element& second = accepted_[link.second];
+    const std::size_t newer = std::max(first.echo, second.echo);
+    support_ = {arcs_[first.echo].source.ping, arcs_[second.echo].source.ping};
+    const Vec2 way = second.position - first.position;
+    const Vec2 across = perpendicular(way) / norm(way);
+    const Vec2 normal = dot(across, first.normal + second.normal) > 0.0 ? -across : across;
+    along_link(link, accepted_, options_.link_step_m, [&](Vec2 p, double) {
+      add(p, PointLabel::link, options_.link_bound_m, newer, {normal, options_.link_p, false});
+    });
+  }
+
+  [[nodiscard]] PointMap take() && { return std::move(map_); }
+
+ private:
+  static std::vector<Vec2> positions_of(std::span<const Element> elements) {
+    std::vector<Vec2> positions;
+    for (const Element& element : elements) positions.push_back(element.position);
+    return positions;
+  }
+
+  /// The pings of the elements that supported this one in the vote, oldest first; of many the first.
+  void add_companions(const Element& element) {
+    constexpr std::size_t most = 16;
+    constexpr double same_side = 0.5;
+    companions_.clear();
+    finder_.near(element.position, options_.element_m, [&](std::size_t k) {
+      const Element& other = accepted_[k];
+      if (other.echo != element.echo && norm(other.position - element.position) <= options_.element_m &&
+          dot(other.normal, element.normal) > same_side)
+        companions_.push_back(arcs_[other.echo].source.ping);
+    });
+    std::ranges::sort(companions_);
+    for (const PingId ping : companions_)
+      if (support_.size() < most) support_.push_back(ping);
+  }
+
+  void add(Vec2 position, PointLabel label, double bound_m, std::size_t newest, PointBelief belief) {
+    const ArcSource& source = arcs_[newest].source;
+    belief.provisional = newest + std::size_t(options_.settle_arcs) >= arcs_.size();
+    map_.add({.position = position,
+              .label = label,
+              .bound_m = bound_m,
+              .time_s = source.time_s,
+              .sensor = source.sensor,
+              .ping = source.ping},
+             support_, belief);
+  }
+
+  const ArcTable& arcs_;
+  const ConsensusOptions& options_;
+  std::span<const EchoEstimate> estimates_;
+  std::span<const Element> accepted_;
+  std::vector<Vec2> positions_;
+  PointFinder finder_;
+  std::vector<PingId> support_;
+  std::vector<PingId> companions_;
+  PointMap map_;
+};
+
+}  // namespace
+
+PointMap point_map_of(const ArcTable& arcs, const ConsensusOptions& options, std::span<const EchoEstimate> estimates,
+                      const Layers& layers) {
+  LayerWriter writer(arcs, options, estimates, layers.accepted);
+  for (const Element& element : layers.accepted)
+    writer.put(element, estimates[element.echo].wall_share > 0.5 ? PointLabel::wall : PointLabel::point);
+  for (const Link& link : layers.links) writer.put(link);
+  for (const Element& zone : layers.zones) writer.put(zone, PointLabel::zone);
+  for (const Element& element : layers.weak) writer.put(element, PointLabel::weak);
+  return std::move(writer).take();
+}
+
+}  // namespace echoarc::consensus

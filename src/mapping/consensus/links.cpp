@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "mapping/consensus/links.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "mapping/consensus/point_finder.hpp"
+
+namespace echoarc::consensus {
+namespace {
+
+constexpr double finder_cell_m = 0.25;
+
+struct Candidate {
+  std::size_t element = 0;
+  double distance_m = 0.0;
+};
+
+/// The nearest element to either side of the tangent of element `i`.
+std::array<std::optional<Candidate>, 2> nearest_beside(std::span<const Element> elements, std::size_t i, double least_m,
+                                                       double gap_m, const PointFinder& finder) {
+  std::array<std::optional<Candidate>, 2> nearest;
+  const Element& own = elements[i];
+  finder.near(own.position, gap_m, [&](std::size_t k) {
+    const Vec2 apart = elements[k].position - own.position;
+    const double distance_m = norm(apart);
+    const double along_m = cross(own.normal, apart);
+    if (distance_m <= least_m || distance_m > gap_m || along_m == 0.0) return;
+    auto& side = nearest[along_m > 0.0 ? 0 : 1];
+    const bool nearer = !side || distance_m < side->distance_m || (distance_m == side->distance_m && k < side->element);
+    if (nearer) side = Candidate{k, distance_m};
+  });
+  return nearest;
+}
+
+std::vector<Link> candidates(std::span<const Element> elements, double least_m, double gap_m,
+                             const PointFinder& finder) {
+  std::vector<Link> links;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    for (const auto& other : nearest_beside(elements, i, least_m, gap_m, finder))
+      if (other)
+        links.push_back({std::uint32_t(std::min(i, other->element)), std::uint32_t(std::max(i, other->element))});
+  const auto in_order = [](const Link& a, const Link& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  };
+  std::ranges::sort(links, in_order);
+  links.erase(std::ranges::unique(links).begin(), links.end());
+  return links;
+}
+
+/// Whether two segments meet inside both.
+bool meet(Vec2 a, Vec2 a_to, Vec2 b, Vec2 b_to) {
+  const double den = cross(b_to, a_to);
+  if (den == 0.0) return false;
+  const double along_b = cross(a - b, a_to) / den;
+  const double along_a = cross(a - b, b_to) / den;
+  return along_a > 0.0 && along_a < 1.0 && along_b > 0.0 && along_b < 1.0;
+}
+
+/// How many rays go through each gap; their last piece does not count, nor do short ones.
+std::vector<int> crossings(const ArcTable& arcs, const ConsensusOptions& options, std::span<const Element> elements,
+                           std::span<const Link> links, double gap_m) {
+  std::vector<Vec2> middles;
+  for (const Link& link : links)
+    middles.push_back(0.5 * (elements[link.first].position + elements[link.second].position));
+  const PointFinder finder(middles, finder_cell_m);
+  std::vector<int> counts(links.size(), 0);
+  for (const Element& element : elements) {
+    const Arc& arc = arcs[element.echo].arc;
+    if (arc.range_m() < options.link_ray_m) continue;
+    const Vec2 origin = arc.receiver();
+    const Vec2 way = (1.0 - options.link_ray_end_m / arc.range_m()) * (element.position - origin);
+    finder.along(origin, origin + way, 0.5 * gap_m, [&](std::size_t k) {
+      const Vec2 begin = elements[links[k].first].position;
+      counts[k] += meet(origin, way, begin, elements[links[k].second].position - begin) ? 1 : 0;
+    });
+  }
+  return counts;
+}
+
+}  // namespace
+
+std::vector<Link> find_links(const ArcTable& arcs, const ConsensusOptions& options, std::span<const Element> elements,
+                             double gap_m) {
+  if (gap_m <= 0.0) return {};
+  std::vector<Vec2> positions;
+  for (const Element& element : elements) positions.push_back(element.position);
+  const PointFinder finder(positions, finder_cell_m);
+  const std::vector<Link> links = candidates(elements, options.link_step_m, gap_m, finder);
+  const std::vector<int> crossed = crossings(arcs, options, elements, links, gap_m);
+  std::vector<Link> open;
+  for (std::size_t k = 0; k < links.size(); ++k)
+    if (crossed[k] < options.link_crossings) open.push_back(links[k]);
+  return open;
+}
+
+}  // namespace echoarc::consensus

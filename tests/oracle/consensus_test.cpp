@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Tangent consensus against its plain form, on made-up drives and on a recorded one; and the scores of the recorded
+// ones, as an independent program found them.
+
+#include "echoarc/mapping/consensus.hpp"
+
+#include <array>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "echoarc/eval/wall_distance.hpp"
+#include "oracle/consensus_oracle.hpp"
+#include "support/corridor_log.hpp"
+#include "support/random_readings.hpp"
+
+namespace echoarc {
+namespace {
+
+PointMap mapped(const ConsensusOptions& options, std::span<const Reading> readings) {
+  Consensus method(options);
+  InlineExecutor executor;
+  method.insert(readings, executor);
+  method.finish(executor);
+  return method.map();
+}
+
+struct Agreement {
+  std::size_t expected = 0;
+  std::size_t found = 0;
+  std::size_t same = 0;  ///< same label, same echo, within 5 mm, p and bound alike
+};
+
+/// Links have no echo of their own: they agree when one lies within 5 mm.
+Agreement compare(const std::vector<oracle::OraclePoint>& expected, const PointMap& found) {
+  Agreement agreement{expected.size(), found.size(), 0};
+  for (const oracle::OraclePoint& e : expected)
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const MapPoint& f = found.points()[k];
+      if (f.label != e.label || norm(f.position - e.p) > 0.005) continue;
+      if (e.label != PointLabel::link && f.ping != e.ping) continue;
+      if (std::abs(f.bound_m - e.bound_m) > 0.03 || std::abs(found.beliefs()[k].probability - e.probability) > 0.01)
+        continue;
+      ++agreement.same;
+      break;
+    }
+  return agreement;
+}
+
+constexpr std::array modes{ConsensusMode::strict, ConsensusMode::balanced, ConsensusMode::complete};
+
+TEST(ConsensusOracle, AgreesOnAWall) {
+  for (const ConsensusMode mode : modes) {
+    Rng rng(3);
+    const std::vector<Reading> readings = test::wall_drive(rng, 20);
+    ConsensusOptions options;
+    options.mode = mode;
+    const auto expected = oracle::ConsensusOracle(options, readings).map();
+    const Agreement agreement = compare(expected, mapped(options, readings));
+    EXPECT_GT(agreement.expected, 20U);
+    EXPECT_EQ(agreement.found, agreement.expected);
+    EXPECT_EQ(agreement.same, agreement.expected);
+  }
+}
+
+TEST(ConsensusOracle, AgreesOnARecordedDrive) {
+  if (!std::filesystem::exists(test::corridor_folder("run2")))
+    GTEST_SKIP() << "the recorded logs (../shared/data) are not here";
+  test::CorridorDrive drive;
+  test::read_corridor("run2", drive);
+  ConsensusOptions options;
+  options.mode = ConsensusMode::complete;  // holds the layers of the other modes
+  const Agreement agreement =
+      compare(oracle::ConsensusOracle(options, drive.readings).map(), mapped(options, drive.readings));
+  EXPECT_GT(agreement.expected, 1000U);
+  const double all = double(agreement.expected);
+  EXPECT_NEAR(double(agreement.found), all, 0.002 * all);
+  EXPECT_GT(double(agreement.same), 0.998 * all);
+}
+
+struct Published {
+  const char* run;
+  ConsensusMode mode;
+  double accuracy_10cm;
+  double coverage;
+};
+
+class ConsensusScores : public testing::TestWithParam<Published> {};
+
+/// Readings whose range changed by exactly `thin_range_m` are kept or passed over by the last digit of their ranges,
+/// and a link more or less is a percent of the wall of a short run: hence the tolerances.
+TEST_P(ConsensusScores, AreThoseOfTheReference) {
+  const Published& published = GetParam();
+  if (!std::filesystem::exists(test::corridor_folder(published.run)))
+    GTEST_SKIP() << "the recorded logs (../shared/data) are not here";
+  test::CorridorDrive drive;
+  test::read_corridor(published.run, drive);
+  ConsensusOptions options;
+  options.mode = published.mode;
+  const PointMap map = mapped(options, drive.readings);
+  std::vector<Vec2> points;
+  for (const MapPoint& point : map.points()) points.push_back(point.position);
+  const WallDistance score =
+      wall_distance(*PointSet::make(points), *laser_reference(drive.log), *PointSet::make(drive.path)).all;
+  RecordProperty("accuracy_10cm", std::to_string(score.accuracy[1]));
+  RecordProperty("coverage", std::to_string(score.coverage));
+  EXPECT_NEAR(score.accuracy[1], published.accuracy_10cm, 0.006);
+  EXPECT_NEAR(score.coverage, published.coverage, 0.012);
+  std::cout << published.run << int(published.mode) << " " << points.size() << " " << score.accuracy[1] << "/"
+            << score.coverage << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(RecordedDrives, ConsensusScores,
+                         testing::Values(Published{"run1", ConsensusMode::strict, 0.988, 0.671},
+                                         Published{"run1", ConsensusMode::balanced, 0.966, 0.689},
+                                         Published{"run1", ConsensusMode::complete, 0.958, 0.702},
+                                         Published{"run2", ConsensusMode::strict, 0.954, 0.425},
+                                         Published{"run2", ConsensusMode::balanced, 0.951, 0.456},
+                                         Published{"run2", ConsensusMode::complete, 0.932, 0.468},
+                                         Published{"run3", ConsensusMode::strict, 0.938, 0.523},
+                                         Published{"run3", ConsensusMode::balanced, 0.946, 0.574},
+                                         Published{"run3", ConsensusMode::complete, 0.913, 0.619}));
+
+}  // namespace
+}  // namespace echoarc
