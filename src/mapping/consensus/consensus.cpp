@@ -155,8 +155,10 @@ Trace Consensus::trace(const Reading& reading) const {
   const std::size_t own = recent.size() - 1;
   const consensus::WeightRows rows = consensus::prior_rows(recent, options_);
   consensus::PosteriorEstimator estimator(recent, options_);
+  consensus::Neighbours neighbours;
+  find_neighbours(recent, options_, own, neighbours);
   const EchoEstimate estimate =
-      read_out(recent[own], recent.bins(own), options_, estimator.estimate(own, {&rows, 0, true}));
+      read_out(recent[own], recent.bins(own), options_, estimator.estimate(own, neighbours, {&rows, 0, true}));
   const double least_p = options_.mode == ConsensusMode::strict ? options_.strict_p : options_.accept_p;
   const bool shown = echo->arc.range_m() < options_.map_range_m && estimate.p > least_p;
   if (shown && estimate.evidence > options_.evidence)

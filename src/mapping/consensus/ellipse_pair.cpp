@@ -32,11 +32,6 @@ double contradiction(const ConsensusOptions& options, const BeamBins& bins, Angl
 
 }  // namespace
 
-int shifted_bins(double bins) {
-  constexpr double tie = 1e-4;
-  return int(std::floor(bins + 0.5 + tie));
-}
-
 void add_any_pair(const ArcTable& arcs, const ConsensusOptions& options, std::size_t i, std::size_t j,
                   const float* wall_weight, const float* point_weight, const BinSums& sums) {
   const Arc& own = arcs[i].arc;

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cmath>
+
 #include "mapping/consensus/arc_table.hpp"
 
 namespace echoarc::consensus {
@@ -22,7 +24,10 @@ struct BinSums {
 }
 
 /// Bins to the nearest whole number; half-way between two always up, whatever the last digits.
-[[nodiscard]] int shifted_bins(double bins);
+[[nodiscard]] inline int shifted_bins(double bins) {
+  constexpr double tie = 1e-4;
+  return int(std::floor(bins + 0.5 + tie));
+}
 
 /// What arc `j` says of the bins of arc `i`, whatever their shapes: the slow form of the kernels, for ellipses.
 /// `wall_weight` and `point_weight` are j's rows of q kappa u.

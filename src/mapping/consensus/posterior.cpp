@@ -86,12 +86,12 @@ float PosteriorEstimator::support_scale(const ConsensusOptions& options) {
 }
 
 /// Sorts the neighbours of arc `i` by what they can speak of; those of bistatic readings speak at once.
-void PosteriorEstimator::gather(std::size_t i, const SweepWeights& weights) {
+void PosteriorEstimator::gather(std::size_t i, const Neighbours& neighbours, const SweepWeights& weights) {
   on_walls_.clear();
   on_points_.clear();
   const BeamBins& own = arcs_.bins(i);
   const BinSums sums{wall_support_.data(), wall_free_.data(), point_support_.data(), point_free_.data()};
-  for (const std::size_t j : neighbours_.arcs) {
+  for (const std::size_t j : neighbours.arcs) {
     const std::size_t row = weights.row(arcs_, j);
     const float* const wall = weights.rows->wall(row);
     const float* const point = weights.rows->point(row);
@@ -108,10 +108,10 @@ void PosteriorEstimator::gather(std::size_t i, const SweepWeights& weights) {
 }
 
 /// From the sums: L_W, L_P, and out of them Q_W, Q_P, p_w and ev.
-Posterior PosteriorEstimator::read(std::size_t i) {
+Posterior PosteriorEstimator::read(std::size_t i, double neighbour_weight) {
   const BeamBins& bins = arcs_.bins(i);
-  const auto weight = float(neighbours_.weight);
-  const auto independent = float(options_.independence * neighbours_.weight);
+  const auto weight = float(neighbour_weight);
+  const auto independent = float(options_.independence * neighbour_weight);
   float top = -std::numeric_limits<float>::infinity();
   for (std::size_t k = 0; k < std::size_t(bins.count()); ++k) {
     wall_support_[k] = bins.log_prior[k] + independent * wall_support_[k] + weight * wall_free_[k];
@@ -126,11 +126,10 @@ Posterior PosteriorEstimator::read(std::size_t i) {
           std::clamp(wall_sum / (wall_sum + point_sum), 0.05F, 0.95F), top};
 }
 
-Posterior PosteriorEstimator::estimate(std::size_t i, const SweepWeights& weights) {
+Posterior PosteriorEstimator::estimate(std::size_t i, const Neighbours& neighbours, const SweepWeights& weights) {
   const BeamBins& bins = arcs_.bins(i);
   for (auto* sums : {&wall_support_, &wall_free_, &point_support_, &point_free_}) std::ranges::fill(*sums, 0.0F);
-  find_neighbours(arcs_, options_, i, neighbours_);
-  gather(i, weights);
+  gather(i, neighbours, weights);
   const auto length_m = float(options_.wall_length_m);
   const auto sigma_m = float(options_.range_sigma_m);
   constexpr double tie_rad = 1e-6;  // beyond what snapping moves
@@ -149,7 +148,7 @@ Posterior PosteriorEstimator::estimate(std::size_t i, const SweepWeights& weight
   kernel.add_walls(terms, on_walls_.data(), std::int32_t(on_walls_.size()), {wall_support_.data(), wall_free_.data()});
   kernel.add_points(terms, on_points_.data(), std::int32_t(on_points_.size()),
                     {point_support_.data(), point_free_.data()});
-  return read(i);
+  return read(i, neighbours.weight);
 }
 
 void find_posteriors(const ArcTable& arcs, const ConsensusOptions& options, std::size_t first, std::size_t end,
@@ -157,6 +156,9 @@ void find_posteriors(const ArcTable& arcs, const ConsensusOptions& options, std:
   constexpr std::size_t chunk = 64;
   WeightRows rows = prior_rows(arcs, options);
   SweepWeights weights{&rows, 0, true};
+  const std::size_t most = std::size_t(options.sweeps - 1) * std::size_t(options.history);
+  const std::size_t lowest = first > most ? first - most : 0;
+  std::vector<Neighbours> neighbours(std::min(arcs.size(), end + most) - lowest);  // found in the first sweep
   for (int sweep = 0; sweep < options.sweeps; ++sweep) {
     // What later sweeps look at: a history more for each, before and after.
     const std::size_t margin = std::size_t(options.sweeps - 1 - sweep) * std::size_t(options.history);
@@ -167,7 +169,8 @@ void find_posteriors(const ArcTable& arcs, const ConsensusOptions& options, std:
     executor.run((to - from + chunk - 1) / chunk, [&](std::size_t task) {
       PosteriorEstimator estimator(arcs, options);
       for (std::size_t i = from + task * chunk; i < std::min(to, from + (task + 1) * chunk); ++i) {
-        const Posterior posterior = estimator.estimate(i, weights);
+        if (sweep == 0) find_neighbours(arcs, options, i, neighbours[i - lowest]);
+        const Posterior posterior = estimator.estimate(i, neighbours[i - lowest], weights);
         if (last)
           found(i, posterior);
         else

@@ -55,16 +55,15 @@ class PosteriorEstimator {
 
   /// q kappa: what a neighbour that is certain and fits exactly multiplies the odds by, less one.
   [[nodiscard]] static float support_scale(const ConsensusOptions& options);
-  /// The posterior of arc `i`, valid until the next call.
-  [[nodiscard]] Posterior estimate(std::size_t i, const SweepWeights& weights);
+  /// The posterior of arc `i` with these neighbours, valid until the next call.
+  [[nodiscard]] Posterior estimate(std::size_t i, const Neighbours& neighbours, const SweepWeights& weights);
 
  private:
-  void gather(std::size_t i, const SweepWeights& weights);
-  [[nodiscard]] Posterior read(std::size_t i);
+  void gather(std::size_t i, const Neighbours& neighbours, const SweepWeights& weights);
+  [[nodiscard]] Posterior read(std::size_t i, double weight);
 
   const ArcTable& arcs_;
   const ConsensusOptions& options_;
-  Neighbours neighbours_;
   std::vector<kernels::CirclePair> on_walls_;   // neighbours that have directions in common with the arc
   std::vector<kernels::CirclePair> on_points_;  // neighbours that see some of it
   std::vector<float> wall_support_, wall_free_, point_support_, point_free_;

@@ -67,6 +67,19 @@ TEST(PointsCsv, OneLineAPoint) {
             "1e-09,1234567.125,cell,0.035,,,,\n");
 }
 
+TEST(PointsCsv, BeliefsAreFourMoreColumns) {
+  PointMap points;
+  const PingId support[] = {3};
+  points.add({.position = {1.0, 2.0}, .label = PointLabel::wall, .bound_m = 0.05, .time_s = 1.0, .ping = 3}, support,
+             {{0.0, -1.0}, 0.75, true});
+  points.add({.position = {1.0, 3.0}, .label = PointLabel::link, .bound_m = 0.1, .time_s = 2.0, .ping = 4}, {},
+             {{-1.0, 0.0}, 0.9, false});
+  EXPECT_EQ(points_csv(points),
+            "x,y,label,bound,t,sensor,ping,support,nx,ny,p,provisional\n"
+            "1,2,wall,0.05,1,0,3,3,0,-1,0.75,1\n"
+            "1,3,link,0.1,2,0,4,,-1,0,0.9,0\n");
+}
+
 TEST(PointsCsv, AnEmptyMapHasAHeader) {
   const test::TempFolder folder;
   ASSERT_TRUE(write_points_csv(folder / "points.csv", PointMap{}));
