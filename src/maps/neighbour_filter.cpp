@@ -64,8 +64,14 @@ PointMap with_neighbours(const PointMap& points, const NeighbourRule& rule) {
   if (rule.min_neighbours <= 0) return points;
   const PointCells cells(points.points(), rule.radius_m);
   PointMap kept;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (cells.has_neighbours(k, rule.min_neighbours)) kept.add(points.points()[k], points.support(points.points()[k]));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!cells.has_neighbours(k, rule.min_neighbours)) continue;
+    const MapPoint& point = points.points()[k];
+    if (points.beliefs().empty())
+      kept.add(point, points.support(point));
+    else
+      kept.add(point, points.support(point), points.beliefs()[k]);
+  }
   return kept;
 }
 

@@ -82,6 +82,8 @@ struct ConsensusOptions {
   double wavelength_m = 0.007;
   double weak_p = 0.25;
   int settle_arcs = 100;
+  int min_neighbours = 0;
+  double neighbour_radius_m = 0.2;
 
   static constexpr auto fields();
 };
@@ -252,7 +254,7 @@ constexpr auto ConsensusOptions::fields() {
   using O = ConsensusOptions;
   return std::tuple_cat(detail::consensus_beam_fields(), detail::consensus_neighbour_fields(),
                         detail::consensus_reading_fields(), detail::consensus_vote_fields(),
-                        detail::consensus_link_fields(), arc_fields<O>(), grid_fields<O>());
+                        detail::consensus_link_fields(), neighbour_fields<O>(), arc_fields<O>(), grid_fields<O>());
 }
 
 }  // namespace echoarc

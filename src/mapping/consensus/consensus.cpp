@@ -126,7 +126,7 @@ void Consensus::finish(Executor& executor) {
 }
 
 Result<MapExport> Consensus::export_map() const {
-  return export_points(map_, geometry_of(options_), name);
+  return export_points(map_, options_, name);
 }
 
 std::vector<Tally> Consensus::tallies() const {

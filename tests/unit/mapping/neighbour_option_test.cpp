@@ -33,8 +33,8 @@ TEST(NeighbourOption, IsOfferedByTheMethodsWhoseMapIsPoints) {
   std::set<std::string_view> offering;
   for (const MethodEntry& entry : catalog())
     if (has_neighbour_filter(entry)) offering.insert(entry.name);
-  EXPECT_EQ(offering,
-            (std::set<std::string_view>{"centerline", "atm_org", "atm_mod", "atm_silver", "carve", "tbf", "combined"}));
+  EXPECT_EQ(offering, (std::set<std::string_view>{"centerline", "atm_org", "atm_mod", "atm_silver", "carve", "tbf",
+                                                  "combined", "consensus"}));
 }
 
 TEST(NeighbourOption, HandsOutThePointsThatHaveCompany) {
