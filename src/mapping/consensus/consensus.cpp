@@ -57,14 +57,14 @@ std::optional<EchoArc> echo_of(const Reading& reading, const ConsensusOptions& o
     ++counters.no_arc;
     return std::nullopt;
   }
+  if (range_m && *range_m >= options.range_max_m) {
+    ++counters.passed_over;
+    return std::nullopt;
+  }
   const auto arc = counted_arc(reading, options.beam_policy, counters);
   if (!arc) return std::nullopt;
   if (!ArcHistory::is_storable(*arc) || !is_finite(arc->axis()) || !is_finite(reading.T_world_robot)) {
     ++counters.no_arc;
-    return std::nullopt;
-  }
-  if (arc->range_m() >= options.range_max_m) {
-    ++counters.passed_over;
     return std::nullopt;
   }
   return EchoArc{*arc, {reading.ping, reading.time_s, reading.rx}, reading.tx, reading.beam_width, 0};
