@@ -172,7 +172,7 @@ TEST(Consensus, ModesShowMoreAndMore) {
 }
 
 TEST(Consensus, NothingIsWhereTheRobotHasBeen) {
-  std::vector<Reading> readings = wall(30);
+  std::vector<Reading> readings = wall(60);
   for (std::size_t k = 0; k < 40; ++k) {
     Reading through = test::monostatic_reading({{0.02 * double(k), test::wall_y_m}, Angle{}}, Echo{4.9});
     through.T_world_robot.position = through.T_world_tx.position;
@@ -180,6 +180,7 @@ TEST(Consensus, NothingIsWhereTheRobotHasBeen) {
     readings.push_back(through);
   }
   const PointMap map = mapped(readings).map();
+  EXPECT_FALSE(map.empty());
   for (const MapPoint& point : map.points())
     EXPECT_TRUE(point.position.x < -0.1 || point.position.x > 0.9) << point.position.x;
 }
