@@ -108,8 +108,6 @@ TEST_P(ConsensusScores, AreThoseOfTheReference) {
   RecordProperty("coverage", std::to_string(score.coverage));
   EXPECT_NEAR(score.accuracy[1], published.accuracy_10cm, 0.006);
   EXPECT_NEAR(score.coverage, published.coverage, 0.012);
-  std::cout << published.run << int(published.mode) << " " << points.size() << " " << score.accuracy[1] << "/"
-            << score.coverage << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(RecordedDrives, ConsensusScores,
