@@ -23,8 +23,17 @@ Rgb color_of(CellState state) {
 }  // namespace
 
 Rgb color_of(PointLabel label) {
-  constexpr std::array<Rgb, point_label_count> colors{
-      {{230, 159, 0}, {30, 30, 30}, {0, 158, 115}, {0, 114, 178}, {213, 94, 0}, {204, 121, 167}}};
+  constexpr std::array<Rgb, point_label_count> colors{{{230, 159, 0},
+                                                       {30, 30, 30},
+                                                       {0, 158, 115},
+                                                       {0, 114, 178},
+                                                       {213, 94, 0},
+                                                       {204, 121, 167},
+                                                       {30, 30, 30},
+                                                       {213, 94, 0},
+                                                       {150, 150, 150},
+                                                       {0, 114, 178},
+                                                       {230, 159, 0}}};
   return colors[static_cast<std::size_t>(label)];
 }
 

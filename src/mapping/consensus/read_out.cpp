@@ -71,7 +71,7 @@ EchoEstimate read_out(const EchoArc& echo, const BeamBins& bins, const Consensus
   for (int k = window.begin; k < window.end; ++k) mean_bins += weights[std::size_t(k)] * (k - bins.half);
   EchoEstimate estimate;
   estimate.t = mean_bins / std::max(window.mass, 1e-300) * options.step;
-  estimate.p = window.mass;
+  estimate.p = std::min(1.0, window.mass);  // of floats that sum to 1 but for their last digits
   estimate.bound_m = std::max(options.bound_least_m, radius_90_m(echo.arc, bins, options.step, estimate.t, weights));
   estimate.wall_share = double(posterior.wall_share);
   estimate.evidence = double(posterior.evidence);
