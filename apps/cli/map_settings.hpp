@@ -19,11 +19,12 @@ namespace echoarc::cli {
 
 /// What the command line says about methods and options.
 struct SettingArguments {
-  std::vector<std::string> methods{"dm", "evidence"};  ///< "all" alone: the whole catalogue
-  std::vector<std::string> settings;                   ///< of --set, in their order: a later one wins
-  std::vector<std::string> features;                   ///< names of extractors, or "all"
-  bool takes_features = false;                         ///< whether the verb has --features
-  std::filesystem::path config;                        ///< TOML with a table per method and `sensing`; empty: none
+  /// The default: where the walls are, and where it is free. "all" stands for the whole catalogue.
+  std::vector<std::string> methods{"consensus", "evidence"};
+  std::vector<std::string> settings;  ///< of --set, in their order: a later one wins
+  std::vector<std::string> features;  ///< names of extractors, or "all"
+  bool takes_features = false;        ///< whether the verb has --features
+  std::filesystem::path config;       ///< TOML with a table per method and `sensing`; empty: none
 };
 
 /// Declares --method, --set and --config.

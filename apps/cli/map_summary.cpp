@@ -71,8 +71,9 @@ void print_maps(const MapRun& run, const std::vector<io::MethodReport>& reports,
   for (const io::MethodReport& report : reports)
     if (report.counters.memory_limit > 0)
       fmt::print(
-          "  {}: {} left out because the grid reached its memory limit; use larger cells (--set {}.cell_m=0.1)\n",
-          report.name, counted(report.counters.memory_limit, "ping"), report.name);
+          "  {}: {} left out because the map reached its memory limit; allow more or use larger cells "
+          "(--set {}.max_memory_mib=4096, --set {}.cell_m=0.1)\n",
+          report.name, counted(report.counters.memory_limit, "ping"), report.name, report.name);
   fmt::print("\nscores and counters: {}\npictures:\n", (folder / io::run_report_name).string());
   for (const io::MethodReport& report : reports) fmt::print("  {}\n", (folder / report.name / "map.png").string());
 }

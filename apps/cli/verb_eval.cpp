@@ -173,7 +173,7 @@ Verb eval_verb() {
           "scores of maps against a reference",
           {{"echoarc eval room-map --reference room-truth.csv", "every method of a folder against surfaces"},
            {"echoarc eval demo-map --reference demo", "against the scene that a log was simulated in"},
-           {"echoarc eval room-map/dm --reference room-map/evidence/map.yaml", "one map against another"},
+           {"echoarc eval room-map/consensus --reference room-map/evidence/map.yaml", "one map against another"},
            {"echoarc eval run1-map --reference run1 --describe corridor.toml", "against the log's own laser"},
            {"echoarc eval room-map --reference room-truth.csv --doi axis:90 --region 0 0 6 4",
             "with the correct detection ratio of directions along +y"},

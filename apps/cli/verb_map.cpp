@@ -197,7 +197,7 @@ Action declare(CLI::App& app) {
 Verb map_verb() {
   return {"map",
           "maps of a log",
-          {{"echoarc map room.jsonl", "maps with pictures in ./room-map; nothing but the log is needed"},
+          {{"echoarc map room.jsonl", "tangent consensus and evidence grid, with pictures, in ./room-map"},
            {"echoarc map room.jsonl --method all -o maps", "every method, into a folder of your choice"},
            {"echoarc map room.jsonl --method carve --features all", "walls and edges as GeoJSON, too"},
            {"echoarc map run1 --describe corridor.toml", "a folder of delimited texts"},

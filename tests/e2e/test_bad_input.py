@@ -162,7 +162,7 @@ class BadRecordTest(CommandTest):
         if result.returncode == 0:
             rejected = json.loads((self.dir / "out" / "run.json").read_text())["rejected"]
             self.assertEqual(rejected["odometry.bad_pose"], 1, told)
-            for name in ("dm", "evidence"):
+            for name in ("consensus", "evidence"):
                 self.assertNotIn("nan", (self.dir / "out" / name / "points.csv").read_text().split("\n", 1)[1])
         else:
             self.assert_refused(result, "poses.csv:6")

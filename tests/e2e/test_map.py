@@ -20,12 +20,14 @@ class MapTest(CommandTest):
     def test_needs_nothing_but_the_log(self):
         out = self.succeed("map", "room.jsonl")
         files = tree(self.dir / "room-map")
-        for method in ("dm", "evidence"):
-            for name in ("map.yaml", "map.pgm", "map.png", "points.csv", "grid.npy", "grid.json"):
+        for method in ("consensus", "evidence"):
+            for name in ("map.yaml", "map.pgm", "map.png", "points.csv"):
                 self.assertIn(f"{method}/{name}", files)
+        for name in ("grid.npy", "grid.json"):
+            self.assertIn(f"evidence/{name}", files)
         self.assertIn("run.json", files)
         self.assertTrue((self.dir / "room-map" / "timings.json").exists())
-        self.assertTrue(out.endswith("  room-map/dm/map.png\n  room-map/evidence/map.png\n"), out)
+        self.assertTrue(out.endswith("  room-map/consensus/map.png\n  room-map/evidence/map.png\n"), out)
 
     def test_writes_the_documented_tree_and_no_more(self):
         self.succeed("map", "room.jsonl", "--method", "all", "-o", "out")
@@ -62,7 +64,7 @@ class MapTest(CommandTest):
         self.assertEqual(report["pings"]["echo"], 40 * fixtures.SENSORS - silent)
         self.assertEqual(sum(report["rejected"].values()), 0)
         self.assertFalse(report["interrupted"])
-        self.assertEqual([method["name"] for method in report["methods"]], ["dm", "evidence"])
+        self.assertEqual([method["name"] for method in report["methods"]], ["consensus", "evidence"])
         self.assertEqual(report["inputs"][0]["bytes"], self.log.stat().st_size)
 
     def test_options_from_file_and_command_line(self):
@@ -107,7 +109,7 @@ class ReplaceTest(CommandTest):
         (self.dir / "out" / "stale.txt").write_text("left over")
         self.succeed("map", "room.jsonl", "--method", "vt", "-o", "out")
         self.assertFalse((self.dir / "out" / "stale.txt").exists())
-        self.assertFalse((self.dir / "out" / "dm").exists())
+        self.assertFalse((self.dir / "out" / "consensus").exists())
         self.assertTrue((self.dir / "out" / "vt" / "map.yaml").exists())
         self.assert_nothing_left("out", "room.jsonl")
 

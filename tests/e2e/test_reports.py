@@ -171,9 +171,9 @@ class EvalTest(CommandTest):
             self.skipTest(f"the recorded logs are not here: {corridor}")
         described = ("--describe", SOURCE / "descriptions/corridor.toml")
         self.succeed("map", corridor / "run1", *described, "-o", "run1")
-        figures = self.scores("run1", "--reference", corridor / "run1", *described)["dm"]
-        self.assertGreater(figures["accuracy_20cm"], 0.5)
-        self.assertGreater(figures["coverage"], 0.4)
+        figures = self.scores("run1", "--reference", corridor / "run1", *described)["consensus"]
+        self.assertGreater(figures["accuracy_20cm"], 0.8)
+        self.assertGreater(figures["coverage"], 0.5)
 
     def test_bad_references(self):
         (self.dir / "bad.csv").write_text("polyline,x,y\n0,0,0\n0,here,0\n")
