@@ -7,14 +7,15 @@
 #include <array>
 #include <cmath>
 
+#include "mapping/consensus/intake.hpp"
 #include "mapping/consensus/layers.hpp"
-#include "mapping/counted_arc.hpp"
 #include "mapping/point_export.hpp"
 #include "mapping/saved_state.hpp"
 
 namespace echoarc {
 
 using consensus::ArcTable;
+using consensus::echo_of;
 using consensus::EchoArc;
 using consensus::EchoEstimate;
 
@@ -44,30 +45,6 @@ constexpr std::size_t arc_bytes =
 /// Arcs whose estimates a new one may change.
 std::size_t horizon(const ConsensusOptions& options) {
   return std::size_t(options.sweeps) * std::size_t(options.history);
-}
-
-bool is_beam(Angle beam_width) {
-  return beam_width > Angle{} && beam_width < degrees(180.0);
-}
-
-/// The reading as step A takes it; counts why it does not.
-std::optional<EchoArc> echo_of(const Reading& reading, const ConsensusOptions& options, InsertCounters& counters) {
-  const auto range_m = echo_range_m(reading.outcome);
-  if (range_m && (!(*range_m > 0.0) || !is_beam(reading.beam_width))) {
-    ++counters.no_arc;
-    return std::nullopt;
-  }
-  if (range_m && *range_m >= options.range_max_m) {
-    ++counters.passed_over;
-    return std::nullopt;
-  }
-  const auto arc = counted_arc(reading, options.beam_policy, counters);
-  if (!arc) return std::nullopt;
-  if (!ArcHistory::is_storable(*arc) || !is_finite(arc->axis()) || !is_finite(reading.T_world_robot)) {
-    ++counters.no_arc;
-    return std::nullopt;
-  }
-  return EchoArc{*arc, {reading.ping, reading.time_s, reading.rx}, reading.tx, reading.beam_width, 0};
 }
 
 }  // namespace
