@@ -90,12 +90,17 @@ struct ConsensusOptions {
 
 namespace detail {
 
-constexpr auto consensus_beam_fields() {
+constexpr auto consensus_mode_fields() {
   using O = ConsensusOptions;
   return std::tuple{
       field("mode", &O::mode,
             {.doc = "what the map is for: strict shows p above strict_p; balanced p above accept_p; complete adds "
-                    "longer links, Fresnel zones and weak points"}),
+                    "longer links, Fresnel zones and weak points"})};
+}
+
+constexpr auto consensus_beam_fields() {
+  using O = ConsensusOptions;
+  return std::tuple{
       field("range_max_m", &O::range_max_m,
             {.unit = "m", .min = 0.01, .max = 1000.0, .doc = "A: farther echoes are passed over: few arcs meet them"}),
       field(
@@ -252,9 +257,10 @@ constexpr auto consensus_link_fields() {
 
 constexpr auto ConsensusOptions::fields() {
   using O = ConsensusOptions;
-  return std::tuple_cat(detail::consensus_beam_fields(), detail::consensus_neighbour_fields(),
-                        detail::consensus_reading_fields(), detail::consensus_vote_fields(),
-                        detail::consensus_link_fields(), neighbour_fields<O>(), arc_fields<O>(), grid_fields<O>());
+  return std::tuple_cat(detail::consensus_mode_fields(), detail::consensus_beam_fields(),
+                        detail::consensus_neighbour_fields(), detail::consensus_reading_fields(),
+                        detail::consensus_vote_fields(), detail::consensus_link_fields(), neighbour_fields<O>(),
+                        arc_fields<O>(), grid_fields<O>());
 }
 
 }  // namespace echoarc
