@@ -133,8 +133,10 @@ Posterior PosteriorEstimator::estimate(std::size_t i, const Neighbours& neighbou
   const auto length_m = float(options_.wall_length_m);
   const auto sigma_m = float(options_.range_sigma_m);
   constexpr double tie_rad = 1e-6;  // beyond what snapping moves
+  constexpr float lost = 17.0F;     // 1 + exp(-17) is 1 in a float
   const kernels::PosteriorTerms terms{.over_two_length = 0.5F / (length_m * length_m),
                                       .over_two_range = 0.5F / (sigma_m * sigma_m),
+                                      .no_support = -std::log(std::max(support_scale(options_), 1.0F)) - lost,
                                       .facing = float(options_.facing),
                                       .facing_rad = float(options_.facing_angle.rad() + tie_rad),
                                       .free_margin_m = float(options_.free_margin_m),

@@ -33,6 +33,7 @@ struct CirclePair {
 struct PosteriorTerms {
   float over_two_length;  ///< 1/(2 l^2), 1/m^2
   float over_two_range;   ///< 1/(2 sigma^2), 1/m^2
+  float no_support;       ///< exp of this times the largest weight is lost beside 1: what lies there is passed over
   float facing;           ///< nu
   float facing_rad;
   float free_margin_m;

@@ -74,6 +74,17 @@ inline Lanes logarithm(Lanes x) {
   return p * m * z - 0.5F * z + m + 0.693147181F * e;
 }
 
+/// Whether a comparison holds in any lane.
+inline bool any(Whole mask) {
+#ifdef __AVX__
+  return __builtin_ia32_movmskps256(lanes_of(mask)) != 0;
+#else
+  std::int64_t each[bin_block / 2];
+  __builtin_memcpy(each, &mask, sizeof each);
+  return (each[0] | each[1] | each[2] | each[3]) != 0;
+#endif
+}
+
 inline Lanes root(Lanes x) {
   float each[bin_block];
   store(each, x);
@@ -128,9 +139,13 @@ inline void add_wall(const PosteriorTerms& terms, const CirclePair& pair, const 
   const Lanes s = pair.y_m * bins.cos_t - pair.x_m * bins.sin_t;
   const Lanes a = bins.t + pair.turn_rad;
   const Lanes along = s * s * terms.over_two_length;
-  const Lanes weight = load(pair.wall_weight + bins.first + pair.shift);
-  tally.support *= 1.0F + weight * exponential(-along - e * e * terms.over_two_range);
+  const Lanes apart = -along - e * e * terms.over_two_range;
+  if (any(apart > terms.no_support)) {
+    const Lanes weight = load(pair.wall_weight + bins.first + pair.shift);
+    tally.support *= 1.0F + weight * exponential(apart);
+  }
   const auto through = (e < -terms.free_margin_m) & (a <= terms.facing_rad) & (a >= -terms.facing_rad);
+  if (!any(through)) return;
   const Lanes miss = terms.facing * exponential(-2.0F * along - a * a * pair.over_two_variance);
   tally.free *= 1.0F - (through ? miss : Lanes{});
 }
@@ -141,18 +156,24 @@ inline void add_point(const PosteriorTerms& terms, const CirclePair& pair, const
   const Lanes y = terms.range_m * bins.sin_t - pair.y_m;
   const Lanes d = root(x * x + y * y);
   const Lanes e = d - pair.range_m;
+  const Lanes apart = -e * e * terms.over_two_range;
+  const bool near = any(apart > terms.no_support);
+  if (!near && !any(e < -terms.free_margin_m)) return;
   const Lanes ahead = x * pair.cos_turn - y * pair.sin_turn;
   const Lanes aside = x * pair.sin_turn + y * pair.cos_turn;
   const Lanes w = aside / (d + ahead + 1e-9F);
   const auto seen = (w < 0.5F) & (w > -0.5F);  // within 53 degrees of the other's axis
   const Lanes a = seen ? twice_arctangent(w) : all(3.0F);
-  Lanes k = rounded(a * terms.over_step + tie) + static_cast<float>(pair.half);
-  k = k < -1.0F ? all(-1.0F) : k;
-  const float beyond = static_cast<float>(2 * pair.half + 1);
-  k = k > beyond ? all(beyond) : k;
-  const Lanes weight = looked_up(pair.point_weight, __builtin_convertvector(k, Whole));
-  tally.support *= 1.0F + weight * exponential(-e * e * terms.over_two_range);
+  if (near) {
+    Lanes k = rounded(a * terms.over_step + tie) + static_cast<float>(pair.half);
+    k = k < -1.0F ? all(-1.0F) : k;
+    const float beyond = static_cast<float>(2 * pair.half + 1);
+    k = k > beyond ? all(beyond) : k;
+    const Lanes weight = looked_up(pair.point_weight, __builtin_convertvector(k, Whole));
+    tally.support *= 1.0F + weight * exponential(apart);
+  }
   const auto through = (e < -terms.free_margin_m) & (a <= terms.facing_rad) & (a >= -terms.facing_rad);
+  if (!any(through)) return;
   const Lanes miss = terms.facing * exponential(-a * a * pair.over_two_variance);
   tally.free *= 1.0F - (through ? miss : Lanes{});
 }

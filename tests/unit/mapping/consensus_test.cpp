@@ -240,8 +240,8 @@ TEST(ConsensusKernels, AllGiveTheSameBits) {
     sin_t[std::size_t(m)] = std::sin(t[std::size_t(m)]);
     if (m < 31) weights[std::size_t(bins + m)] = float(rng.uniform(0, 16));
   }
-  const k::PosteriorTerms terms{4.0F, 250.0F, 0.3F,     0.1745F,      0.1F,        57.3F,
-                                1.5F, 4,      t.data(), cos_t.data(), sin_t.data()};
+  const k::PosteriorTerms terms{4.0F,  250.0F, -20.0F, 0.3F,     0.1745F,      0.1F,
+                                57.3F, 1.5F,   4,      t.data(), cos_t.data(), sin_t.data()};
   std::vector<k::CirclePair> pairs;
   for (int n = 0; n < 100; ++n) {
     const auto turn = float(rng.uniform(-0.5, 0.5));
