@@ -135,6 +135,10 @@ void declare_settings(CLI::App& app, SettingArguments& arguments) {
       ->delimiter(',')
       ->type_name("A,B")
       ->capture_default_str();
+  declare_values(app, arguments);
+}
+
+void declare_values(CLI::App& app, SettingArguments& arguments) {
   app.add_option("--set", arguments.settings,
                  "METHOD.OPTION=VALUE, sensing.OPTION=VALUE, or OPTION=VALUE for all methods that have it; repeatable")
       ->allow_extra_args(false)

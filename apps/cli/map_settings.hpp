@@ -29,6 +29,8 @@ struct SettingArguments {
 
 /// Declares --method, --set and --config.
 void declare_settings(CLI::App& app, SettingArguments& arguments);
+/// Declares --set and --config, for verbs that serve one method.
+void declare_values(CLI::App& app, SettingArguments& arguments);
 
 /// Which methods run, and with what.
 struct MapSettings {

@@ -47,6 +47,7 @@ struct Verb {
 [[nodiscard]] Verb sweep_verb();
 [[nodiscard]] Verb methods_verb();
 [[nodiscard]] Verb bench_verb();
+[[nodiscard]] Verb explain_verb();
 [[nodiscard]] Verb convert_verb();
 [[nodiscard]] Verb reproduce_verb();
 

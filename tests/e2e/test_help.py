@@ -13,7 +13,7 @@ import unittest
 import fixtures
 from harness import SOURCE, CommandTest
 
-VERBS = ["map", "eval", "info", "doctor", "methods", "init", "convert", "sim", "sweep"]
+VERBS = ["map", "eval", "info", "doctor", "methods", "init", "convert", "sim", "sweep", "explain"]
 
 CARMEN = """PARAM robot_length 0.4
 ODOM 0.0 0.0 0.0 0.1 0.0 0.0 0.0 host 0.0

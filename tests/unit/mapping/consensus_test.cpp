@@ -231,14 +231,14 @@ TEST(ConsensusKernels, AllGiveTheSameBits) {
   namespace k = kernels;
   const k::PosteriorKernels* sets[2];
   const int available = k::available_posterior_kernels(sets, 2);
-  constexpr int bins = 32;
+  constexpr std::size_t bins = 32;
   Rng rng(3);
   std::vector<float> t(bins), cos_t(bins), sin_t(bins), weights(3 * bins, 0.0F);
-  for (int m = 0; m < bins; ++m) {
-    t[std::size_t(m)] = 0.01745F * float(m - 15);
-    cos_t[std::size_t(m)] = std::cos(t[std::size_t(m)]);
-    sin_t[std::size_t(m)] = std::sin(t[std::size_t(m)]);
-    if (m < 31) weights[std::size_t(bins + m)] = float(rng.uniform(0, 16));
+  for (std::size_t m = 0; m < bins; ++m) {
+    t[m] = 0.01745F * (float(m) - 15.0F);
+    cos_t[m] = std::cos(t[m]);
+    sin_t[m] = std::sin(t[m]);
+    if (m < 31) weights[bins + m] = float(rng.uniform(0, 16));
   }
   const k::PosteriorTerms terms{4.0F,  250.0F, -20.0F, 0.3F,     0.1745F,      0.1F,
                                 57.3F, 1.5F,   4,      t.data(), cos_t.data(), sin_t.data()};
