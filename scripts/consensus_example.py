@@ -5,7 +5,6 @@ evaluated here, term by term, and compared with what `echoarc explain` answers."
 
 import json
 import sys
-from collections.abc import Callable
 from math import cos, exp, log, pi, radians, sin, sqrt
 from pathlib import Path
 
@@ -17,9 +16,6 @@ ARCS = [(0.0, 0.0, 85.0), (0.3, 0.1, 97.0)]
 ARCS += [((0.35 + 0.05 * (k // 2)) if k % 2 == 0 else -0.1 - 0.05 * (k // 2), 0.05, (88.0, 93.0, 84.0, 96.0)[k % 4])
          for k in range(30)]
 COUNTS = (1, 2, 4, 8, 16, 32)
-
-Explain = Callable[..., dict]
-
 
 def write_log(path: Path, count: int) -> None:
     sensor = {"id": 0, "x": 0.0, "y": 0.0, "yaw": 0.0, "beam_width": radians(BEAM_DEG), "range_min": 0.02,
@@ -50,10 +46,10 @@ def terms(option: dict, t_deg: float) -> dict:
             "L_W": prior + option["independence"] * says}
 
 
-def two_arcs(explain: Explain, option: dict, folder: Path) -> str:
+def two_arcs(echoarc, option: dict, folder: Path) -> str:
     """The terms at some bearings, as a table."""
     write_log(folder / "two.jsonl", 2)
-    answer = explain(folder / "two.jsonl", 0, "sweeps=1")
+    answer = echoarc.explain(folder / "two.jsonl", 0, "sweeps=1")
     bearings = [round(b) for b in answer["bearings_deg"]]
     logs = [terms(option, b)["L_W"] for b in bearings]
     total = sum(exp(value) for value in logs)
@@ -69,13 +65,13 @@ def two_arcs(explain: Explain, option: dict, folder: Path) -> str:
     return "\n".join(rows) + "\n"
 
 
-def more_arcs(explain: Explain, _option: dict, folder: Path) -> str:
+def more_arcs(echoarc, _option: dict, folder: Path) -> str:
     """What more arcs of the same wall make of the first one."""
     rows = ["| arcs | p_w, sweep 1 | p_w, sweep 2 | read out at | p | 90 % bound, cm |", "| ---: |" + " ---: |" * 5]
     for count in COUNTS:
         log_file = folder / f"arcs{count}.jsonl"
         write_log(log_file, count)
-        answer = explain(log_file, 0)
+        answer = echoarc.explain(log_file, 0)
         shares = [sweep["wall_share"] for sweep in answer["sweeps"]]
         rows.append(f"| {count} | {shares[0]:.2f} | {shares[-1]:.2f} | {answer['bearing_deg']:+.1f}° | {answer['p']:.2f} "
                     f"| {100 * answer['bound_m']:.0f} |")

@@ -19,6 +19,7 @@ from pathlib import Path
 
 import consensus_example
 import consensus_schemes
+import consensus_trials
 from svg_canvas import AMBER, BLUE, GREY, INK, MAGENTA, Canvas, Panel, Point, on_circle
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -214,9 +215,10 @@ def main() -> int:
                     "room": room(folder / "map", pings, path, shapes)}
         for name, picture in pictures.items():
             (PICTURES / f"consensus-{name}.svg").write_text(picture)
-        tables = {"two_arcs": consensus_example.two_arcs, "more_arcs": consensus_example.more_arcs}
+        tables = {"two_arcs": consensus_example.two_arcs, "more_arcs": consensus_example.more_arcs,
+                  "disturbed": consensus_trials.disturbed, "wide_beams": consensus_trials.wide_beams}
         text = PAGE.read_text()
-        PAGE.write_text(BLOCK.sub(lambda m: m[1] + tables[m[2]](echoarc.explain, option, folder) + m[3], text))
+        PAGE.write_text(BLOCK.sub(lambda m: m[1] + tables[m[2]](echoarc, option, folder) + m[3], text))
     return 0
 
 

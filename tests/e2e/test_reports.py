@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The echoarc authors
 # SPDX-License-Identifier: Apache-2.0
 
-"""What people and programs are told: info, doctor, eval, methods, init, convert."""
+"""What people and programs are told: info, doctor, eval, methods, explain, init, convert."""
 
+import csv
 import json
 import math
 import unittest
@@ -183,6 +184,29 @@ class EvalTest(CommandTest):
         self.assert_refused(self.run_command("eval", "out", "--reference", "room.jsonl"), "room.jsonl")
         (self.dir / "nothing").mkdir()
         self.assert_refused(self.run_command("eval", "nothing", "--reference", "walls.csv"), "nothing")
+
+
+class ExplainTest(CommandTest):
+    def test_says_what_the_map_holds(self):
+        fixtures.write_room(self.dir / "room.jsonl")
+        self.succeed("map", "room.jsonl", "--method", "consensus", "-o", "out")
+        with open(self.dir / "out" / "consensus" / "points.csv", newline="") as file:
+            point = next(row for row in csv.DictReader(file) if row["label"] in ("wall", "point"))
+        explained = strict_json(self.succeed("explain", "room.jsonl", "--ping", point["ping"], "--json"))
+        self.assertAlmostEqual(explained["position"][0], float(point["x"]), places=3)
+        self.assertAlmostEqual(explained["position"][1], float(point["y"]), places=3)
+        self.assertAlmostEqual(sum(explained["prior"]), 1.0, places=4)
+        for sweep in explained["sweeps"]:
+            self.assertEqual(len(sweep["wall"]), len(explained["bearings_deg"]))
+            self.assertAlmostEqual(sum(sweep["wall"]), 1.0, places=4)
+        self.assertGreater(len(explained["neighbours"]), 10)
+        self.assertIn("read out", self.succeed("explain", "room.jsonl", "--ping", point["ping"]))
+
+    def test_says_why_there_is_nothing_to_explain(self):
+        fixtures.write_room(self.dir / "room.jsonl", count=2)
+        self.assert_refused(self.run_command("explain", "room.jsonl", "--ping", "4711"), "ping 4711")
+        self.assert_refused(self.run_command("explain", "room.jsonl"), "--ping", status=2)
+        self.assert_refused(self.run_command("explain", "room.jsonl", "--ping", "1", "--set", "sweeps=0"), status=2)
 
 
 class MethodsTest(CommandTest):
