@@ -50,5 +50,6 @@ struct Verb {
 [[nodiscard]] Verb explain_verb();
 [[nodiscard]] Verb convert_verb();
 [[nodiscard]] Verb reproduce_verb();
+[[nodiscard]] Verb compare_verb();
 
 }  // namespace echoarc::cli
