@@ -73,11 +73,19 @@ void draw_path(Canvas& canvas, std::span<const Vec2> path, const View& view) {
   draw_end_mark(canvas, line.back());
 }
 
+/// Whether points of this label stand for more than the place of an echo.
+bool is_concluded(PointLabel label) {
+  return label == PointLabel::link || label == PointLabel::zone || label == PointLabel::weak;
+}
+
 void draw_points(Canvas& canvas, std::span<const MapPoint> points, const View& view) {
   constexpr double radius_m = 0.03;
   const double radius = std::clamp(radius_m * view.pixels_per_m, 2.4, 4.0);
-  for (const MapPoint& point : points)
-    if (is_finite(point.position)) draw_point_mark(canvas, view.pixel(point.position), point.label, radius);
+  // What was heard lies on top of what was concluded from it.
+  for (const bool concluded : {true, false})
+    for (const MapPoint& point : points)
+      if (is_finite(point.position) && is_concluded(point.label) == concluded)
+        draw_point_mark(canvas, view.pixel(point.position), point.label, radius);
 }
 
 void draw_lines(Canvas& canvas, std::span<const std::vector<Vec2>> lines, const View& view, double width, Color color) {

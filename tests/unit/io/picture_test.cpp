@@ -155,6 +155,22 @@ TEST(Picture, CellsPathAndPointsLieWhereTheyBelong) {
   EXPECT_NE(color_at({10.7, 20.2}), palette::free) << "the path";
 }
 
+TEST(Picture, LinksLieBelowThePointsTheyJoin) {
+  const MapPoint points[] = {{.position = {1.0, 1.0}, .label = PointLabel::wall},
+                             {.position = {1.0, 1.0}, .label = PointLabel::link},
+                             {.position = {2.0, 2.0}, .label = PointLabel::link}};
+  PictureContent content;
+  content.points = points;
+  const View view = fit_view(content).value();
+  const Canvas map = draw_map(content, view);
+  const auto color_at = [&](Vec2 world) {
+    const Vec2 pixel = view.pixel(world);
+    return map.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+  };
+  EXPECT_EQ(color_at({1.0, 1.0}), palette::of(PointLabel::wall));
+  EXPECT_EQ(color_at({2.0, 2.0}), palette::of(PointLabel::link));
+}
+
 TEST(Picture, ASingleWallCellSurvivesReduction) {
   DenseGrid<CellState> grid({0.01, {}}, 5000, 40, CellState::free);
   grid.at({2503, 17}) = CellState::occupied;
