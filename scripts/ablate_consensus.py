@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The echoarc authors
 # SPDX-License-Identifier: Apache-2.0
-"""Maps the recorded corridor with tangent consensus, each time without one of its parts, and writes the scores into
-docs/methods/consensus.md.
+"""Maps the recorded corridor with tangent consensus, in each of its modes and without each of its parts, and writes the
+scores into docs/methods/consensus.md.
 
-`ablate_consensus.py COMMAND DATA`: COMMAND is the built `echoarc`, DATA the folder that holds run1, run2, run3. The table
-stands between `<!-- ablation -->` and `<!-- /ablation -->`.
+`ablate_consensus.py COMMAND DATA`: COMMAND is the built `echoarc`, DATA the folder that holds run1, run2, run3. The tables
+stand between `<!-- corridor:NAME -->` and `<!-- /corridor -->`.
 """
 
 import json
@@ -16,9 +16,16 @@ from pathlib import Path
 from score_corridor import ROOT, RUNS, echoarc
 
 PAGE = ROOT / "docs" / "methods" / "consensus.md"
-BLOCK = re.compile(r"(<!-- ablation -->\n).*?(<!-- /ablation -->)", re.S)
+BLOCK = re.compile(r"(<!-- corridor:([a-z]+) -->\n).*?(<!-- /corridor -->)", re.S)
 KINDS = ("accuracy_10cm", "coverage", "thinned_accuracy_10cm", "thinned_coverage")
 
+# Method and settings of each row; echoes below 3 m, which consensus shows anyway.
+NEAR = ["sensing.range_cut_m=2.9995"]
+MODES = {
+    "`centerline`": ("centerline", NEAR),
+    "`atm_mod`, 13°": ("atm_mod", [*NEAR, "atm_mod.theta_t_deg=13"]),
+    **{f"`consensus`, {mode}": ("consensus", [f"consensus.mode={mode}"]) for mode in ("strict", "balanced", "complete")},
+}
 WITHOUT = {
     "everything": [],
     "nothing thinned": ["thin_move_m=0", "thin_turn_deg=0", "thin_range_m=0"],
@@ -33,21 +40,32 @@ WITHOUT = {
 }
 
 
-def scores(command: str, log: Path, settings: list[str]) -> dict[str, float]:
+def scores(command: str, log: Path, method: str, settings: list[str]) -> dict[str, float]:
     description = ROOT / "descriptions" / "corridor.toml"
-    values = [word for setting in settings for word in ("--set", f"consensus.{setting}")]
+    values = [word for setting in settings for word in ("--set", setting)]
     with tempfile.TemporaryDirectory() as scratch:
         maps = Path(scratch) / "maps"
-        echoarc(command, "map", log, "--describe", description, "--method", "consensus", *values, "-o", maps)
+        echoarc(command, "map", log, "--describe", description, "--method", method, *values, "-o", maps)
         answer = echoarc(command, "eval", maps, "--reference", log, "--describe", description, "--json")
-        return json.loads(answer)["methods"]["consensus"]
+        return json.loads(answer)["methods"][method]
 
 
-def table(command: str, data: Path) -> str:
+def modes(command: str, data: Path) -> str:
+    rows = ["| points; one per 5 cm cell | " + " | ".join(f"run {run[3:]}" for run in RUNS) + " |",
+            "| --- |" + " --- |" * len(RUNS)]
+    for name, (method, settings) in MODES.items():
+        runs = [scores(command, data / run, method, settings) for run in RUNS]
+        cells = ["{:.3f} / {:.3f}; {:.3f} / {:.3f}".format(*(run[kind] for kind in KINDS)) for run in runs]
+        rows.append(f"| {name} | " + " | ".join(cells) + " |")
+    return "\n".join(rows) + "\n"
+
+
+def ablation(command: str, data: Path) -> str:
     rows = ["| mean of the three runs | points, within 10 cm | coverage | per 5 cm cell, within 10 cm | coverage |",
             "| --- |" + " ---: |" * 4]
     for name, settings in WITHOUT.items():
-        runs = [scores(command, data / run, settings) for run in RUNS]
+        settings = [f"consensus.{setting}" for setting in settings]
+        runs = [scores(command, data / run, "consensus", settings) for run in RUNS]
         means = [sum(run[kind] for run in runs) / len(runs) for kind in KINDS]
         rows.append(f"| {name} | " + " | ".join(f"{mean:.3f}" for mean in means) + " |")
     return "\n".join(rows) + "\n"
@@ -56,7 +74,8 @@ def table(command: str, data: Path) -> str:
 def main() -> int:
     command, data = sys.argv[1], Path(sys.argv[2])
     text = PAGE.read_text()
-    PAGE.write_text(BLOCK.sub(lambda m: m[1] + table(command, data) + m[2], text))
+    tables = {"modes": modes, "ablation": ablation}
+    PAGE.write_text(BLOCK.sub(lambda m: m[1] + tables[m[2]](command, data) + m[3], text))
     return 0
 
 
