@@ -30,9 +30,12 @@ Result<PointSet> load_occupied(const fs::path& map_yaml) {
 }
 
 /// A folder with grid.json belongs to a method of cells; its points.csv only repeats them.
-Result<PointSet> load_method(const fs::path& folder) {
-  if (fs::exists(folder / "grid.json") || !fs::exists(folder / "points.csv")) return load_occupied(folder / "map.yaml");
-  Result<std::vector<Vec2>> points = io::read_positions_csv(folder / "points.csv");
+bool has_exact_points(const fs::path& folder) {
+  return fs::exists(folder / "points.csv") && !fs::exists(folder / "grid.json");
+}
+
+Result<PointSet> load_points(const fs::path& points_csv) {
+  Result<std::vector<Vec2>> points = io::read_positions_csv(points_csv);
   if (!points) return points.error();
   return PointSet::make(std::move(*points));
 }
@@ -58,9 +61,18 @@ std::vector<fs::path> method_folders(const fs::path& folder) {
   return folders;
 }
 
+Result<NamedMap> load_method(const fs::path& folder) {
+  Result<PointSet> cells = load_occupied(folder / "map.yaml");
+  if (!cells) return cells.error();
+  if (!has_exact_points(folder)) return NamedMap{name_of(folder), std::move(*cells), std::nullopt};
+  Result<PointSet> points = load_points(folder / "points.csv");
+  if (!points) return points.error();
+  return NamedMap{name_of(folder), std::move(*points), std::move(*cells)};
+}
+
 Result<std::vector<NamedMap>> one_map(std::string name, Result<PointSet> points) {
   if (!points) return points.error();
-  return std::vector<NamedMap>{{std::move(name), std::move(*points)}};
+  return std::vector<NamedMap>{{std::move(name), std::move(*points), std::nullopt}};
 }
 
 }  // namespace
@@ -71,9 +83,9 @@ Result<std::vector<NamedMap>> load_maps(const fs::path& path) {
   if (!fs::is_directory(path)) return one_map(path.stem().string(), load_occupied(path));
   std::vector<NamedMap> maps;
   for (const fs::path& folder : method_folders(path)) {
-    Result<PointSet> points = load_method(folder);
-    if (!points) return points.error();
-    maps.push_back({name_of(folder), std::move(*points)});
+    Result<NamedMap> map = load_method(folder);
+    if (!map) return map.error();
+    maps.push_back(std::move(*map));
   }
   if (maps.empty())
     return Error{ErrorCode::not_found, "no map.yaml in this folder or one below it", path.string(),

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace echoarc::cli {
 struct NamedMap {
   std::string name;
   PointSet points;
+  std::optional<PointSet> cells;  ///< centres of the cells it is drawn with, where `points` are exact
 };
 
 /// The maps behind `path`: every method of an output folder of `map`, one method's folder, or a map.yaml. Of a grid the

@@ -63,8 +63,8 @@ Result<std::optional<DirectionSet>> directions_of(const EvalArguments& arguments
 std::string share(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.1f} %", 100.0 * value);
 }
-std::string centimetres(double value_m) {
-  return std::isnan(value_m) ? "-" : fmt::format("{:.1f}", 100.0 * value_m);
+std::string centimetres(double value_m, int digits = 1) {
+  return std::isnan(value_m) ? "-" : fmt::format("{:.{}f}", 100.0 * value_m, digits);
 }
 
 Table distance_table(const std::vector<NamedScore>& scores, WallDistance TwoWayWallDistance::* part) {
@@ -83,11 +83,11 @@ void print_scores(const std::vector<NamedScore>& scores) {
              distance_table(scores, &TwoWayWallDistance::all).text());
   fmt::print("\none map point per 5 cm cell\n{}", distance_table(scores, &TwoWayWallDistance::one_per_cell).text());
   if (first.correct_detection) {
-    Table table({"method", "full", "empty", "overall"});
+    Table table({"method", "full", "empty", "overall", "MAE [cm]"});
     for (const auto& [name, report] : scores)
       table.add({name, share(report.correct_detection->full_ratio()), share(report.correct_detection->empty_ratio()),
-                 share(report.correct_detection->overall_ratio())});
-    fmt::print("\ncorrect detection ratio (CDR): {} full and {} empty directions of interest\n{}",
+                 share(report.correct_detection->overall_ratio()), centimetres(*report.cells_mae_m, 2)});
+    fmt::print("\ncells drawn in {} full and {} empty directions of interest: correct detection ratio (CDR)\n{}",
                first.correct_detection->full, first.correct_detection->empty, table.text());
   }
   fmt::print(
@@ -121,7 +121,7 @@ Result<std::vector<NamedScore>> score_all(const EvalArguments& arguments, std::o
                              .detection_tolerance_m = std::nullopt};
   std::vector<NamedScore> scores;
   for (const NamedMap& map : *maps) {
-    Result<ScoreReport> report = score(map.points, truth->reference, request);
+    Result<ScoreReport> report = score(map.points, truth->reference, request, map.cells ? &*map.cells : nullptr);
     if (!report) return report.error();
     scores.push_back({map.name, std::move(*report)});
   }

@@ -4,6 +4,9 @@
 #include "echoarc/eval/score_report.hpp"
 
 #include <utility>
+#include <vector>
+
+#include "echoarc/eval/mean_absolute_error.hpp"
 
 namespace echoarc {
 namespace {
@@ -48,18 +51,28 @@ void add_timing(std::vector<ScoreRow>& table, const TimingSummary& timing) {
       {"cpu_per_reading", timing.per_reading_s, "s", std::to_string(timing.readings) + " readings; " + note});
 }
 
+PointSet inside(const PointSet& map, const Box& region) {
+  std::vector<Vec2> kept;
+  for (const Vec2 p : map.points())
+    if (p.x >= region.low.x && p.x < region.high.x && p.y >= region.low.y && p.y < region.high.y) kept.push_back(p);
+  return PointSet::make(std::move(kept)).value();  // part of a set that is valid
+}
+
 }  // namespace
 
-Result<ScoreReport> score(const PointSet& map, const Reference& reference, const ScoreRequest& request) {
+Result<ScoreReport> score(const PointSet& map, const Reference& reference, const ScoreRequest& request,
+                          const PointSet* cells) {
   if (const Result<void> valid = validate(request.wall_distance); !valid) return valid.error();
   ScoreReport report;
   report.reference = reference.provenance;
   report.reference_points = reference.points.size();
   report.wall_distance = wall_distance(map, reference, request.path, request.wall_distance);
   if (!request.directions) return report;
+  const PointSet& drawn = cells != nullptr ? *cells : map;
   const Result<CorrectDetection> detection =
-      correct_detection(map, reference, *request.directions, request.detection_tolerance_m);
+      correct_detection(drawn, reference, *request.directions, request.detection_tolerance_m);
   if (!detection) return detection.error();
+  report.cells_mae_m = mean_absolute_error_m(inside(drawn, request.directions->region), reference);
   report.correct_detection = *detection;
   report.detection_tolerance_m = request.detection_tolerance_m;
   return report;
@@ -70,6 +83,8 @@ std::vector<ScoreRow> rows(const ScoreReport& report) {
   table.push_back({"reference_points", double(report.reference_points), "", report.reference});
   add_wall_distance(table, report.wall_distance.all, "", "map points");
   add_wall_distance(table, report.wall_distance.one_per_cell, "thinned_", "map points, one per cell");
+  if (report.cells_mae_m)
+    table.push_back({"cells_mae", *report.cells_mae_m, "m", "cells of the directions' region: mean distance"});
   if (report.correct_detection) add_correct_detection(table, *report.correct_detection, report.detection_tolerance_m);
   if (report.timing) add_timing(table, *report.timing);
   return table;

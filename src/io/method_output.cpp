@@ -58,6 +58,9 @@ Result<void> write_method_output(const std::filesystem::path& directory, const M
   if (code) return unwritable(directory, code.message());
   if (const Result<void> written = write_map(directory, map.states); !written) return written;
   if (const Result<void> written = write_points_csv(directory / "points.csv", map.points); !written) return written;
+  if (!map.points.segments().empty())
+    if (const Result<void> written = write_segments_csv(directory / "segments.csv", map.points); !written)
+      return written;
   if (const Result<void> written = std::visit(WriteValues{directory}, map.values); !written) return written;
   return write_map_picture(directory / "map.png", map, picture);
 }

@@ -48,4 +48,16 @@ Result<void> write_points_csv(const std::filesystem::path& path, const PointMap&
   return write_file(path, points_csv(points));
 }
 
+std::string segments_csv(const PointMap& points) {
+  std::string text = "x1,y1,x2,y2,label\n";
+  for (const MapSegment& segment : points.segments())
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", segment.begin.x, segment.begin.y, segment.end.x,
+                   segment.end.y, name(segment.label));
+  return text;
+}
+
+Result<void> write_segments_csv(const std::filesystem::path& path, const PointMap& points) {
+  return write_file(path, segments_csv(points));
+}
+
 }  // namespace echoarc::io

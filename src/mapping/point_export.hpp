@@ -10,8 +10,8 @@
 
 namespace echoarc {
 
-/// What point methods hand over: the points, and the cells of `geometry` they lie in as occupied. An error when they
-/// are spread too far to be drawn.
+/// What point methods hand over: the points, and the cells of `geometry` that they lie in or that their segments, drawn
+/// in steps of at most 1 cm, go through as occupied. An error when they are spread too far to be drawn.
 [[nodiscard]] Result<MapExport> export_points(const PointMap& points, const GridGeometry& geometry,
                                               std::string_view method);
 

@@ -30,13 +30,16 @@ class PointCells {
 
   /// Stops counting at `enough`.
   [[nodiscard]] bool has_neighbours(std::size_t point, int enough) const {
-    const Vec2 p = points_[point].position;
+    return has_neighbours(points_[point].position, point, enough);
+  }
+  /// The same of any place, but for the point `self`, if it is one.
+  [[nodiscard]] bool has_neighbours(Vec2 p, std::size_t self, int enough) const {
     const Cell own = geometry_.cell_of(p);
     if (points_of(own, own.i).size() > std::size_t(enough)) return true;
     int found = 0;
     for (std::int32_t j = own.j - cells_around; j <= own.j + cells_around; ++j)
       for (const Entry& entry : points_of({own.i - cells_around, j}, own.i + cells_around)) {
-        if (entry.second == point || norm(points_[entry.second].position - p) > radius_m_) continue;
+        if (entry.second == self || norm(points_[entry.second].position - p) > radius_m_) continue;
         if (++found >= enough) return true;
       }
     return false;
@@ -72,6 +75,9 @@ PointMap with_neighbours(const PointMap& points, const NeighbourRule& rule) {
     else
       kept.add(point, points.support(point), points.beliefs()[k]);
   }
+  for (const MapSegment& segment : points.segments())
+    if (cells.has_neighbours(0.5 * (segment.begin + segment.end), points.size(), rule.min_neighbours))
+      kept.add(segment);
   return kept;
 }
 

@@ -20,6 +20,7 @@ struct ScoreReport {
   std::uint64_t reference_points = 0;
   TwoWayWallDistance wall_distance;                   ///< `all.mean_m` is the mean absolute error
   std::optional<CorrectDetection> correct_detection;  ///< none without directions of interest
+  std::optional<double> cells_mae_m;  ///< of the cells inside the directions' region; none without directions
   std::optional<double> detection_tolerance_m;
   std::optional<TimingSummary> timing;  ///< none unless the host measured it
 };
@@ -32,8 +33,10 @@ struct ScoreRequest {
   std::optional<double> detection_tolerance_m;  ///< see `correct_detection`
 };
 
+/// `cells`: what is judged direction by direction, the cells the map is drawn with, where that is not `map` itself.
 /// Errors: options or directions out of range.
-[[nodiscard]] Result<ScoreReport> score(const PointSet& map, const Reference& reference, const ScoreRequest& request);
+[[nodiscard]] Result<ScoreReport> score(const PointSet& map, const Reference& reference, const ScoreRequest& request,
+                                        const PointSet* cells = nullptr);
 
 /// One line of a report. `name` is fixed and the same in text and JSON; `value` may be NaN.
 struct ScoreRow {

@@ -22,8 +22,9 @@ struct MethodPicture {
   const DenseGrid<float>* probability = nullptr;  ///< see `PictureContent::probability`
 };
 
-/// Writes everything a method hands over into `directory` (made if absent): map.yaml, map.pgm, points.csv, map.png
-/// (unless the map is empty and there is no path), and, where the method has cell values, grid.npy and grid.json.
+/// Writes everything a method hands over into `directory` (made if absent): map.yaml, map.pgm, points.csv,
+/// segments.csv (where the map has segments), map.png (unless the map is empty and there is no path), and, where the
+/// method has cell values, grid.npy and grid.json.
 [[nodiscard]] Result<void> write_method_output(const std::filesystem::path& directory, const MapExport& map,
                                                const MethodPicture& picture);
 

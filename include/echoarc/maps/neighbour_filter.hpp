@@ -14,7 +14,8 @@ struct NeighbourRule {
 };
 
 /// The points of a map that have enough other points near them, whatever their labels; with their pings, in their
-/// order. The map itself is left alone: what is lonely now may get neighbours.
+/// order; and its segments with as many points near their middles. The map itself is left alone: what is lonely now may
+/// get neighbours.
 [[nodiscard]] PointMap with_neighbours(const PointMap& points, const NeighbourRule& rule = {});
 
 }  // namespace echoarc

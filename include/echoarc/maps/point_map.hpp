@@ -54,7 +54,16 @@ struct PointBelief {
   friend bool operator==(const PointBelief&, const PointBelief&) = default;
 };
 
-/// Points with the pings that speak for them.
+/// A straight piece of surface that a map claims between or beside its points. Scores by cell and pictures draw it; the
+/// points themselves do not depend on it.
+struct MapSegment {
+  Vec2 begin;  ///< world, metres
+  Vec2 end;
+  PointLabel label = PointLabel::link;
+  friend bool operator==(const MapSegment&, const MapSegment&) = default;
+};
+
+/// Points with the pings that speak for them, and the pieces of surface between them.
 class PointMap {
  public:
   void add(MapPoint point, std::span<const PingId> support = {}) {
@@ -68,7 +77,8 @@ class PointMap {
     add(point, support);
     beliefs_.push_back(belief);
   }
-  /// Keeps the first `count` points.
+  void add(const MapSegment& segment) { segments_.push_back(segment); }
+  /// Keeps the first `count` points; segments stay.
   void truncate(std::size_t count) {
     if (count >= points_.size()) return;
     support_.resize(points_[count].support_begin);
@@ -80,6 +90,7 @@ class PointMap {
   [[nodiscard]] bool empty() const { return points_.empty(); }
   /// One a point in the same order, or empty.
   [[nodiscard]] std::span<const PointBelief> beliefs() const { return beliefs_; }
+  [[nodiscard]] std::span<const MapSegment> segments() const { return segments_; }
   /// Ids of the pings behind a point of this map; empty for cells, whose support is found by replay.
   [[nodiscard]] std::span<const PingId> support(const MapPoint& point) const {
     return std::span<const PingId>(support_).subspan(point.support_begin, point.support_count);
@@ -89,6 +100,7 @@ class PointMap {
   std::vector<MapPoint> points_;
   std::vector<PingId> support_;
   std::vector<PointBelief> beliefs_;
+  std::vector<MapSegment> segments_;
 };
 
 }  // namespace echoarc

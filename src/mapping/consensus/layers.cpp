@@ -121,9 +121,17 @@ class LayerWriter {
     const Vec2 way = second.position - first.position;
     const Vec2 across = perpendicular(way) / norm(way);
     const Vec2 normal = dot(across, first.normal + second.normal) > 0.0 ? -across : across;
+    map_.add({first.position, second.position, PointLabel::link});
     along_link(link, accepted_, options_.link_step_m, [&](Vec2 p, double) {
       add(p, PointLabel::link, options_.link_bound_m, newer, {normal, options_.link_p, false});
     });
+  }
+
+  /// The zone's end as a point, the way there from its echo as a segment.
+  void put_zone(const Element& end) {
+    put(end, PointLabel::zone);
+    const Angle t = estimates_[end.echo].t;
+    map_.add({element_of(arcs_, end.echo, t).position, end.position, PointLabel::zone});
   }
 
   [[nodiscard]] PointMap take() && { return std::move(map_); }
@@ -182,7 +190,7 @@ PointMap point_map_of(const ArcTable& arcs, const ConsensusOptions& options, std
   for (const Element& element : layers.accepted)
     writer.put(element, estimates[element.echo].wall_share > 0.5 ? PointLabel::wall : PointLabel::point);
   for (const Link& link : layers.links) writer.put(link);
-  for (const Element& zone : layers.zones) writer.put(zone, PointLabel::zone);
+  for (const Element& zone : layers.zones) writer.put_zone(zone);
   for (const Element& element : layers.weak) writer.put(element, PointLabel::weak);
   return std::move(writer).take();
 }

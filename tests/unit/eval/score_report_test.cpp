@@ -63,6 +63,24 @@ TEST(ScoreReport, LeavesOutWhatWasNotMeasured) {
   }
 }
 
+TEST(ScoreReport, AsksDirectionsOfTheCellsAMapIsDrawnWith) {
+  ScoreRequest request;
+  request.directions = column_directions({1.0, {0.0, 0.0}}, 4, 4);
+  const Reference wall = reference_of({{0.5, 1.0}, {1.5, 1.0}, {2.5, 1.0}, {3.5, 1.0}});
+  const PointSet points = point_set({{0.5, 1.0}, {3.5, 1.5}});
+  // What lies outside of the region, the fifth cell, has no part in the mean.
+  const PointSet cells = point_set({{0.5, 1.0}, {1.5, 1.25}, {2.5, 1.25}, {3.5, 1.5}, {9.5, 1.0}});
+  const auto report = score(points, wall, request, &cells);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(value_of(rows(*report), "points"), 2.0);
+  EXPECT_EQ(value_of(rows(*report), "mae"), 0.25);
+  EXPECT_EQ(value_of(rows(*report), "cells_mae"), 0.25);
+  EXPECT_EQ(value_of(rows(*report), "cdr_full"), 1.0);
+  const auto points_alone = score(points, wall, request);
+  ASSERT_TRUE(points_alone);
+  EXPECT_EQ(value_of(rows(*points_alone), "cdr_full"), 0.5);
+}
+
 TEST(ScoreReport, SaysWhenATolerancePreventsComparison) {
   ScoreRequest request;
   request.directions = column_directions({1.0, {0.0, 0.0}}, 4, 4);

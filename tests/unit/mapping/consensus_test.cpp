@@ -171,6 +171,30 @@ TEST(Consensus, ModesShowMoreAndMore) {
   }
 }
 
+/// Five readings of a wall every 30 cm: without its links the picture would be dots.
+TEST(Consensus, DrawsLinksAsLines) {
+  std::vector<Reading> readings = wall(80);
+  std::erase_if(readings, [](const Reading& reading) { return reading.ping / 5 % 13 != 0; });
+  const Consensus method = mapped(readings);
+  const MapExport map = method.export_map().value();
+  ASSERT_FALSE(map.points.segments().empty());
+  double from = 10.0;
+  double to = -10.0;
+  for (const MapSegment& link : map.points.segments()) {
+    EXPECT_EQ(link.label, PointLabel::link);
+    EXPECT_LE(norm(link.end - link.begin), method.options().link_m);
+    from = std::min({from, link.begin.x, link.end.x});
+    to = std::max({to, link.begin.x, link.end.x});
+  }
+  for (double x = from + 0.01; x < to; x += 0.01) {
+    const std::int32_t column = map.states.geometry().cell_of({x, test::wall_y_m}).i;
+    bool occupied = false;
+    for (std::int32_t row = 0; row < map.states.height(); ++row)
+      occupied = occupied || map.states.at({column, row}) == CellState::occupied;
+    EXPECT_TRUE(occupied) << x;
+  }
+}
+
 TEST(Consensus, NothingIsWhereTheRobotHasBeen) {
   std::vector<Reading> readings = wall(60);
   for (std::size_t k = 0; k < 40; ++k) {

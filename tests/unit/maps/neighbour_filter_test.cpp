@@ -51,6 +51,18 @@ RC_GTEST_PROP(NeighbourFilterProperty, AgreesWithAllPairs, (std::uint64_t seed))
   for (std::size_t k = 0; k < expected.size(); ++k) RC_ASSERT(kept.points()[k].position == expected[k]);
 }
 
+TEST(NeighbourFilter, SegmentsNeedPointsNearTheirMiddle) {
+  const std::vector<Vec2> positions{{0, 0}, {0.2, 0}, {1, 1}, {1.2, 1}};
+  PointMap map = map_of(std::span(positions).first(3));
+  const MapSegment near{positions[0], positions[1], PointLabel::link};
+  const MapSegment lonely{positions[2], positions[3], PointLabel::zone};
+  map.add(near);
+  map.add(lonely);
+  const PointMap kept = with_neighbours(map, {.min_neighbours = 2, .radius_m = 0.2});
+  EXPECT_EQ(std::vector(kept.segments().begin(), kept.segments().end()), std::vector{near});
+  EXPECT_EQ(with_neighbours(map, {.min_neighbours = 0}).segments().size(), 2U);
+}
+
 TEST(NeighbourFilter, CrowdsAndFarPointsAreHandled) {
   std::vector<Vec2> positions(100000, Vec2{0.01, 0.01});
   for (int k = 0; k < 100000; ++k) positions.push_back({0.19, 0.19});
