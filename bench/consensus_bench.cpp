@@ -58,7 +58,7 @@ void consensus_steps(benchmark::State& state) {
   }
   count(state, method, readings.size());
 }
-BENCHMARK(consensus_steps)->Arg(100)->Arg(500)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(consensus_steps)->Arg(8)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 /// Readings a second and memory as the way grows.
 void consensus_way(benchmark::State& state) {
@@ -73,7 +73,25 @@ void consensus_way(benchmark::State& state) {
   }
   count(state, method, readings.size());
 }
-BENCHMARK(consensus_way)->Arg(1000)->Arg(10000)->Arg(30000)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(consensus_way)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// The same with the map brought up to date every 100 readings.
+void consensus_way_on_line(benchmark::State& state) {
+  const std::vector<Reading> readings = corridor_echoes(std::size_t(state.range(0)));
+  constexpr std::size_t step = 100;
+  InlineExecutor executor;
+  Consensus method;
+  for (auto _ : state) {
+    method = Consensus();
+    for (std::size_t k = 0; k < readings.size(); k += step) {
+      method.insert(std::span(readings).subspan(k, std::min(step, readings.size() - k)), executor);
+      method.finish(executor);
+    }
+    consume(method.map());
+  }
+  count(state, method, readings.size());
+}
+BENCHMARK(consensus_way_on_line)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
 

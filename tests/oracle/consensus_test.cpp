@@ -80,6 +80,43 @@ TEST(ConsensusOracle, AgreesOnARecordedDrive) {
   EXPECT_GT(double(agreement.same), 0.998 * all);
 }
 
+/// The map brought up to date after every so many readings, and then once more: with nothing new, all is weighed.
+PointMap mapped_on_line(const ConsensusOptions& options, std::span<const Reading> readings, std::size_t step) {
+  Consensus method(options);
+  InlineExecutor executor;
+  for (std::size_t k = 0; k < readings.size(); k += step) {
+    method.insert(readings.subspan(k, std::min(step, readings.size() - k)), executor);
+    method.finish(executor);
+  }
+  method.finish(executor);
+  return method.map();
+}
+
+WallDistance score_of(const PointMap& map, const test::CorridorDrive& drive) {
+  std::vector<Vec2> points;
+  for (const MapPoint& point : map.points()) points.push_back(point.position);
+  return wall_distance(*PointSet::make(points), *laser_reference(drive.log), *PointSet::make(drive.path)).all;
+}
+
+class ConsensusOnLine : public testing::TestWithParam<const char*> {};
+
+TEST_P(ConsensusOnLine, ScoresAsInOneBatch) {
+  if (!std::filesystem::exists(test::corridor_folder(GetParam())))
+    GTEST_SKIP() << "the recorded logs (../shared/data) are not here";
+  test::CorridorDrive drive;
+  test::read_corridor(GetParam(), drive);
+  for (const std::size_t step : {8, 100}) {
+    const auto batch = score_of(mapped({}, drive.readings), drive);
+    const auto on_line = score_of(mapped_on_line({}, drive.readings, step), drive);
+    RecordProperty("accuracy_10cm_" + std::to_string(step), std::to_string(on_line.accuracy[1]));
+    RecordProperty("coverage_" + std::to_string(step), std::to_string(on_line.coverage));
+    EXPECT_NEAR(on_line.accuracy[1], batch.accuracy[1], 0.01) << step;
+    EXPECT_NEAR(on_line.coverage, batch.coverage, 0.01) << step;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RecordedDrives, ConsensusOnLine, testing::Values("run1", "run2", "run3"));
+
 struct Published {
   const char* run;
   ConsensusMode mode;
@@ -100,10 +137,7 @@ TEST_P(ConsensusScores, AreThoseOfTheReference) {
   ConsensusOptions options;
   options.mode = published.mode;
   const PointMap map = mapped(options, drive.readings);
-  std::vector<Vec2> points;
-  for (const MapPoint& point : map.points()) points.push_back(point.position);
-  const WallDistance score =
-      wall_distance(*PointSet::make(points), *laser_reference(drive.log), *PointSet::make(drive.path)).all;
+  const auto score = score_of(map, drive);
   RecordProperty("accuracy_10cm", std::to_string(score.accuracy[1]));
   RecordProperty("coverage", std::to_string(score.coverage));
   EXPECT_NEAR(score.accuracy[1], published.accuracy_10cm, 0.006);

@@ -14,6 +14,10 @@
 
 namespace echoarc {
 
+namespace consensus {
+struct SweptRows;
+}
+
 /// Tangent consensus: every arc asks its neighbours where on it the echo came from (docs/methods/consensus.md).
 ///
 /// A wall that reflects an echo is tangent to the echo's arc, and to the arcs of its other echoes; a corner, an edge or
@@ -22,8 +26,17 @@ namespace echoarc {
 /// become points; rays that pass through well supported surfaces are outliers, surfaces that many rays pass through are
 /// removed, and gaps between neighbours are linked.
 ///
-/// An arc is compared with `history` arcs before and after it, so what a new reading says moves points of the newest
-/// `sweeps * history` arcs alone: `finish` weighs only those again, and gives the same map however often it is called.
+/// An arc is compared with `history` arcs before and after it, so a new reading speaks to the newest `sweeps * history`
+/// arcs, and no longer to older ones. `finish` has two forms:
+///
+/// - **whole**, if at least half of the arcs are new, or if no reading came since the last `finish`: all arcs are
+///   weighed as in one batch, and the map is that of a batch to the last bit, whatever `finish` did before.
+/// - **on line**, otherwise: the cost is that of the new arcs and does not grow with the map. A new arc is weighed
+///   against those before it, and once more some time later; votes and links are renewed every `renew_arcs` arcs, over
+///   the newest `vote_arcs`. Points of older arcs stay as they are until a whole `finish`.
+///
+/// So `finish` twice after the last reading gives what one `finish` after all readings gives. Twice `window_arcs` arcs
+/// are kept at most; then the points of the older half become final, and of those arcs nothing else is kept.
 /// Silence says nothing to this method. A sensor that neither moves nor turns says one thing, once; without neighbours
 /// an arc gives no point.
 class Consensus {
@@ -62,7 +75,10 @@ class Consensus {
   class State;
 
   void take(const Reading& reading);
-  void settle(std::size_t end, Executor& executor);
+  consensus::SweptRows settle(std::size_t end, Executor& executor);
+  void settle_full_pieces(Executor& executor);
+  void weigh_all(Executor& executor);
+  void forget_oldest(Executor& executor);
 
   Options options_;
   InsertCounters counters_;

@@ -82,6 +82,9 @@ struct ConsensusOptions {
   double wavelength_m = 0.007;
   double weak_p = 0.25;
   int settle_arcs = 100;
+  int renew_arcs = 400;
+  int vote_arcs = 1500;
+  int window_arcs = 20'000;
   int min_neighbours = 0;
   double neighbour_radius_m = 0.2;
 
@@ -253,14 +256,37 @@ constexpr auto consensus_link_fields() {
              .doc = "points of the newest arcs are provisional: what follows still moves them"})};
 }
 
+constexpr auto consensus_line_fields() {
+  using O = ConsensusOptions;
+  return std::tuple{
+      field("renew_arcs", &O::renew_arcs,
+            {.unit = "arcs",
+             .min = 8,
+             .max = 100'000,
+             .doc = "on line: after so many new arcs votes and links are renewed, and arcs with half as many behind "
+                    "them weighed again: less often is cheaper, and leaves newer points as they came"}),
+      field("vote_arcs", &O::vote_arcs,
+            {.unit = "arcs",
+             .min = 100,
+             .max = 10'000'000,
+             .doc = "on line: votes and links look back so far: people who walk beside the robot are voted out by "
+                    "what is heard there metres later"}),
+      field("window_arcs", &O::window_arcs,
+            {.unit = "arcs",
+             .min = 1000,
+             .max = 10'000'000,
+             .doc = "points of arcs older than this are final: votes, links and corrections come too late for them. At "
+                    "least twice sweeps * history; twice as many arcs are kept at most"})};
+}
+
 }  // namespace detail
 
 constexpr auto ConsensusOptions::fields() {
   using O = ConsensusOptions;
   return std::tuple_cat(detail::consensus_mode_fields(), detail::consensus_beam_fields(),
                         detail::consensus_neighbour_fields(), detail::consensus_reading_fields(),
-                        detail::consensus_vote_fields(), detail::consensus_link_fields(), neighbour_fields<O>(),
-                        arc_fields<O>(), grid_fields<O>());
+                        detail::consensus_vote_fields(), detail::consensus_link_fields(),
+                        detail::consensus_line_fields(), neighbour_fields<O>(), arc_fields<O>(), grid_fields<O>());
 }
 
 }  // namespace echoarc

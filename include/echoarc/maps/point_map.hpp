@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -60,6 +61,8 @@ struct MapSegment {
   Vec2 begin;  ///< world, metres
   Vec2 end;
   PointLabel label = PointLabel::link;
+  SensorId sensor = 0;  ///< receiver of the newest ping behind it
+  PingId ping = 0;
   friend bool operator==(const MapSegment&, const MapSegment&) = default;
 };
 
@@ -78,6 +81,8 @@ class PointMap {
     beliefs_.push_back(belief);
   }
   void add(const MapSegment& segment) { segments_.push_back(segment); }
+  /// Keeps the first `count` segments.
+  void truncate_segments(std::size_t count) { segments_.resize(std::min(count, segments_.size())); }
   /// Keeps the first `count` points; segments stay.
   void truncate(std::size_t count) {
     if (count >= points_.size()) return;

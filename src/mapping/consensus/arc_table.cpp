@@ -49,6 +49,31 @@ void ArcTable::add(EchoArc echo) {
   echoes_.push_back(echo);
 }
 
+ArcTable ArcTable::since(std::size_t from) const {
+  const auto rest = [&]<class T>(const std::vector<T>& all) {
+    return std::vector<T>(all.begin() + std::ptrdiff_t(from), all.end());
+  };
+  ArcTable table(options_);
+  table.echoes_ = rest(echoes_);
+  table.headings_rad_ = rest(headings_rad_);
+  table.axes_ = rest(axes_);
+  table.middles_ = rest(middles_);
+  table.half_lengths_m_ = rest(half_lengths_m_);
+  table.bins_ = bins_;
+  return table;
+}
+
+void ArcTable::forget(std::size_t count) {
+  const auto forget_first = [&](auto& all) { all.erase(all.begin(), all.begin() + std::ptrdiff_t(count)); };
+  forget_first(echoes_);
+  forget_first(headings_rad_);
+  forget_first(axes_);
+  forget_first(middles_);
+  forget_first(half_lengths_m_);
+  std::erase_if(last_, [&](const auto& entry) { return entry.second < count; });
+  for (auto& [sensors, index] : last_) index -= count;
+}
+
 void ArcTable::save(ByteWriter& out) const {
   out.put<std::uint64_t>(echoes_.size());
   for (const EchoArc& echo : echoes_) {

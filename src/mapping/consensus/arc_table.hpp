@@ -37,6 +37,10 @@ class ArcTable {
   /// Whether a reading says the same as the last one kept of its sensors.
   [[nodiscard]] bool repeats(const Arc& arc, SensorId tx, SensorId rx) const;
   void add(EchoArc echo);
+  /// The arcs from `from` on, on their own.
+  [[nodiscard]] ArcTable since(std::size_t from) const;
+  /// Forgets the first `count` arcs; those after them move up.
+  void forget(std::size_t count);
 
   [[nodiscard]] std::size_t size() const { return echoes_.size(); }
   [[nodiscard]] const EchoArc& operator[](std::size_t i) const { return echoes_[i]; }

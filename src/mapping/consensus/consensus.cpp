@@ -8,7 +8,8 @@
 #include <cmath>
 
 #include "mapping/consensus/intake.hpp"
-#include "mapping/consensus/layers.hpp"
+#include "mapping/consensus/on_line_map.hpp"
+#include "mapping/consensus/saved_history.hpp"
 #include "mapping/point_export.hpp"
 #include "mapping/saved_state.hpp"
 
@@ -21,18 +22,16 @@ using consensus::EchoEstimate;
 
 class Consensus::State {
  public:
-  explicit State(const Options& options) : arcs(options) {}
+  explicit State(const Options& options) : history(options), on_line(options) {}
 
-  /// The robot was here; what it did not leave by a millimetre is one place.
-  void visit(Vec2 position) {
-    constexpr double least_move_m = 0.001;
-    if (path.empty() || norm(position - path.back()) >= least_move_m) path.push_back(position);
-  }
-
-  ArcTable arcs;
-  std::vector<Vec2> path;               // of the robot
-  std::vector<EchoEstimate> estimates;  // by arc, as of the last `settle`
-  std::size_t settled = 0;              // arcs whose estimates no reading can change any more
+  consensus::History history;
+  consensus::OnLineMap on_line;
+  std::size_t finished = 0;      // arcs at the last `finish`
+  std::size_t places = 0;        // of the robot's way, then
+  bool fresh = false;            // readings came since
+  bool whole = false;            // the map is that of all arcs weighed in one
+  std::size_t context = 0;       // the first arcs, whose points are final
+  consensus::MapSize final_map;  // those are the first of the map
 };
 
 namespace {
@@ -40,12 +39,20 @@ namespace {
 // An arc with its estimate, and the three points it makes on a drive, each with six pings.
 constexpr std::size_t point_bytes = sizeof(MapPoint) + sizeof(PointBelief) + 6 * sizeof(PingId);
 constexpr std::size_t arc_bytes =
-    sizeof(EchoArc) + sizeof(Vec2) + sizeof(double) + sizeof(EchoEstimate) + 3 * point_bytes;
+    sizeof(EchoArc) + 2 * sizeof(Vec2) + 2 * sizeof(double) + sizeof(EchoEstimate) + 3 * point_bytes;
+constexpr std::size_t place_bytes = sizeof(Vec2) + sizeof(std::uint32_t);
 
 /// Arcs whose estimates a new one may change.
 std::size_t horizon(const ConsensusOptions& options) {
   return std::size_t(options.sweeps) * std::size_t(options.history);
 }
+
+/// Arcs whose votes and links can still change; they are kept until there are twice as many.
+std::size_t window(const ConsensusOptions& options) {
+  return std::max(std::size_t(options.window_arcs), 2 * horizon(options));
+}
+
+constexpr std::size_t settled_at_once = 4096;  // arcs: bounds what a sweep holds
 
 }  // namespace
 
@@ -55,51 +62,99 @@ Consensus& Consensus::operator=(Consensus&&) noexcept = default;
 Consensus::~Consensus() = default;
 
 std::size_t Consensus::memory_bytes() const {
-  return state_->arcs.size() * arc_bytes + state_->path.size() * sizeof(Vec2);
+  const consensus::History& history = state_->history;
+  return history.arcs.size() * arc_bytes + history.path.size() * place_bytes + state_->final_map.points * point_bytes;
 }
 
 void Consensus::take(const Reading& reading) {
-  const auto echo = echo_of(reading, options_, counters_);
+  const auto echo = consensus::echo_of(reading, options_, counters_);
   if (!echo) return;
-  if (memory_bytes() + arc_bytes + sizeof(Vec2) > memory_limit_bytes(options_)) {
+  if (memory_bytes() + arc_bytes + place_bytes > memory_limit_bytes(options_)) {
     ++counters_.memory_limit;
     return;
   }
-  state_->visit(reading.T_world_robot.position);
-  if (state_->arcs.repeats(echo->arc, reading.tx, reading.rx)) {
+  consensus::History& history = state_->history;
+  history.visit(reading.T_world_robot.position);
+  if (history.arcs.repeats(echo->arc, reading.tx, reading.rx)) {
     ++counters_.passed_over;
     return;
   }
-  state_->arcs.add(*echo);
+  history.arcs.add(*echo);
   ++counters_.used;
 }
 
-/// Steps B and C for the arcs below `end` that are not settled yet.
-void Consensus::settle(std::size_t end, Executor& executor) {
-  State& state = *state_;
-  state.estimates.resize(end);
-  consensus::find_posteriors(state.arcs, options_, state.settled, end, executor,
-                             [&](std::size_t i, const consensus::Posterior& posterior) {
-                               state.estimates[i] = read_out(state.arcs[i], state.arcs.bins(i), options_, posterior);
-                             });
-  const std::size_t open = std::min(horizon(options_), state.arcs.size());
-  state.settled = std::max(state.settled, std::min(end, state.arcs.size() - open));
+/// Steps B and C in one for the arcs below `end` that are not settled yet; what they told the last sweep.
+consensus::SweptRows Consensus::settle(std::size_t end, Executor& executor) {
+  consensus::History& history = state_->history;
+  history.estimates.resize(std::max(history.estimates.size(), end));
+  consensus::SweptRows swept = consensus::find_posteriors(
+      history.arcs, options_, history.settled, end, executor,
+      [&](std::size_t i, const consensus::Posterior& posterior) {
+        history.estimates[i] = read_out(history.arcs[i], history.arcs.bins(i), options_, posterior);
+      });
+  const std::size_t open = std::min(horizon(options_), history.arcs.size());
+  history.settled = std::max(history.settled, std::min(end, history.arcs.size() - open));
+  return swept;
+}
+
+/// The same in pieces, for all that can be settled.
+void Consensus::settle_full_pieces(Executor& executor) {
+  const consensus::History& history = state_->history;
+  while (history.arcs.size() >= history.settled + settled_at_once + horizon(options_))
+    settle(history.settled + settled_at_once, executor);
 }
 
 void Consensus::insert(std::span<const Reading> readings, Executor& executor) {
-  constexpr std::size_t batch = 4096;  // bounds what a sweep holds at once
+  State& state = *state_;
+  state.fresh = state.fresh || !readings.empty();
   for (const Reading& reading : readings) {
     take(reading);
-    if (state_->arcs.size() >= state_->settled + batch + horizon(options_))
-      settle(state_->arcs.size() - horizon(options_), executor);
+    const std::size_t count = state.history.arcs.size();
+    if (count >= 2 * window(options_)) forget_oldest(executor);
+    if (count >= state.finished + settled_at_once + horizon(options_)) settle_full_pieces(executor);
   }
 }
 
 void Consensus::finish(Executor& executor) {
   State& state = *state_;
-  settle(state.arcs.size(), executor);
-  const consensus::Layers layers = build_layers(state.arcs, options_, state.estimates, state.path);
-  map_ = point_map_of(state.arcs, options_, state.estimates, layers);
+  const std::size_t count = state.history.arcs.size();
+  const std::size_t added = count - state.finished;
+  const bool mostly_new = 2 * added > count || 2 * added >= window(options_);
+  if (mostly_new || !state.fresh) {
+    if (!state.whole || added > 0) weigh_all(executor);
+  } else {
+    state.on_line.update(state.history, executor, map_);
+    state.whole = state.whole && added == 0 && state.history.path.size() == state.places;
+  }
+  state.finished = count;
+  state.places = state.history.path.size();
+  state.fresh = false;
+}
+
+/// The whole map but for what is final.
+void Consensus::weigh_all(Executor& executor) {
+  State& state = *state_;
+  consensus::History& history = state.history;
+  settle_full_pieces(executor);
+  state.on_line.start(history, settle(history.arcs.size(), executor), state.context);
+  const PointMap found = consensus::map_of(history, options_, 0);
+  truncate(map_, state.final_map);
+  consensus::add_points(found, history.arcs, state.context, history.arcs.size(), map_);
+  state.whole = true;
+}
+
+/// Makes the points of all but the newest arcs final; of those arcs only the last stay, to speak for their neighbours.
+void Consensus::forget_oldest(Executor& executor) {
+  finish(executor);
+  State& state = *state_;
+  const std::size_t old = state.history.arcs.size() - window(options_);
+  state.final_map = consensus::move_back(map_, state.history.arcs, old);
+  state.context = horizon(options_);
+  const std::size_t count = old - state.context;
+  state.history.forget(count);
+  state.on_line.forget(count, state.context);
+  state.finished -= count;
+  state.fresh = true;
 }
 
 Result<MapExport> Consensus::export_map() const {
@@ -124,16 +179,14 @@ Trace Consensus::trace(const Reading& reading) const {
   const auto echo = echo_of(reading, options_, ignored);
   if (!echo) return trace;
   trace.arc = echo->arc;
-  const ArcTable& arcs = state_->arcs;
-  ArcTable recent(options_);
-  for (std::size_t k = arcs.size() - std::min(arcs.size(), std::size_t(options_.history)); k < arcs.size(); ++k)
-    recent.add(arcs[k]);
+  const ArcTable& arcs = state_->history.arcs;
+  ArcTable recent = arcs.since(arcs.size() - std::min(arcs.size(), std::size_t(options_.history)));
   recent.add(*echo);
   const std::size_t own = recent.size() - 1;
   const consensus::WeightRows rows = consensus::prior_rows(recent, options_);
   consensus::PosteriorEstimator estimator(recent, options_);
   consensus::Neighbours neighbours;
-  find_neighbours(recent, options_, own, neighbours);
+  find_neighbours(recent, options_, own, own, neighbours);
   const EchoEstimate estimate =
       read_out(recent[own], recent.bins(own), options_, estimator.estimate(own, neighbours, {&rows, 0, true}));
   const double least_p = options_.mode == ConsensusMode::strict ? options_.strict_p : options_.accept_p;
@@ -154,8 +207,9 @@ bool Consensus::supports(const Reading& reading, Vec2 position) const {
 std::vector<std::byte> Consensus::save() const {
   ByteWriter out;
   save_head<Consensus>(out, options_, counters_);
-  state_->arcs.save(out);
-  out.put_vector(state_->path);
+  save_history(out, state_->history, state_->context);
+  out.put<std::uint64_t>(state_->context);
+  consensus::save_final_map(out, map_, state_->final_map);
   return std::move(out).take();
 }
 
@@ -165,11 +219,13 @@ Result<Consensus> Consensus::restore(std::span<const std::byte> bytes) {
   InsertCounters counters;
   if (!restore_head<Consensus>(in, options, counters)) return damaged_state(name);
   Consensus method(options);
+  State& state = *method.state_;
   method.counters_ = counters;
-  if (!method.state_->arcs.restore(in)) return damaged_state(name);
-  method.state_->path = in.get_vector<Vec2>();
-  if (!in.done() || !std::ranges::all_of(method.state_->path, [](Vec2 p) { return is_finite(p); }))
+  if (!restore_history(in, state.history)) return damaged_state(name);
+  state.context = in.get<std::uint64_t>();
+  if (state.context > state.history.arcs.size() || !consensus::restore_final_map(in, method.map_) || !in.done())
     return damaged_state(name);
+  state.final_map = consensus::size_of(method.map_);
   InlineExecutor here;
   method.finish(here);
   return method;

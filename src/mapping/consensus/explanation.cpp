@@ -77,7 +77,7 @@ EchoExplanation explain(const ArcTable& arcs, const ConsensusOptions& options, s
   explanation.p = estimate.p;
   explanation.bound_m = estimate.bound_m;
   Neighbours neighbours;
-  find_neighbours(arcs, options, i, neighbours);
+  find_neighbours(arcs, options, i, arcs.size(), neighbours);
   explanation.neighbour_weight = neighbours.weight;
   const auto nearest = std::size_t(std::lround(estimate.t / options.step) + bins.half);
   explanation.voices = voices_of(arcs, options, i, neighbours, nearest, executor);

@@ -121,7 +121,7 @@ class LayerWriter {
     const Vec2 way = second.position - first.position;
     const Vec2 across = perpendicular(way) / norm(way);
     const Vec2 normal = dot(across, first.normal + second.normal) > 0.0 ? -across : across;
-    map_.add({first.position, second.position, PointLabel::link});
+    add({first.position, second.position, PointLabel::link}, newer);
     along_link(link, accepted_, options_.link_step_m, [&](Vec2 p, double) {
       add(p, PointLabel::link, options_.link_bound_m, newer, {normal, options_.link_p, false});
     });
@@ -131,7 +131,7 @@ class LayerWriter {
   void put_zone(const Element& end) {
     put(end, PointLabel::zone);
     const Angle t = estimates_[end.echo].t;
-    map_.add({element_of(arcs_, end.echo, t).position, end.position, PointLabel::zone});
+    add({element_of(arcs_, end.echo, t).position, end.position, PointLabel::zone}, end.echo);
   }
 
   [[nodiscard]] PointMap take() && { return std::move(map_); }
@@ -157,6 +157,12 @@ class LayerWriter {
     std::ranges::sort(companions_);
     for (const PingId ping : companions_)
       if (support_.size() < most) support_.push_back(ping);
+  }
+
+  void add(MapSegment segment, std::size_t newest) {
+    segment.sensor = arcs_[newest].source.sensor;
+    segment.ping = arcs_[newest].source.ping;
+    map_.add(segment);
   }
 
   void add(Vec2 position, PointLabel label, double bound_m, std::size_t newest, PointBelief belief) {

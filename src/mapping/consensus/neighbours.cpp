@@ -8,10 +8,11 @@
 
 namespace echoarc::consensus {
 
-void find_neighbours(const ArcTable& arcs, const ConsensusOptions& options, std::size_t i, Neighbours& out) {
+void find_neighbours(const ArcTable& arcs, const ConsensusOptions& options, std::size_t i, std::size_t end,
+                     Neighbours& out) {
   const auto history = std::size_t(options.history);
   const std::size_t begin = i > history ? i - history : 0;
-  const std::size_t end = std::min(arcs.size(), i + history + 1);
+  end = std::min({end, arcs.size(), i + history + 1});
   const double own_m = arcs.half_length_m(i) + 2.0 * options.wall_length_m;
   out.arcs.clear();
   for (std::size_t j = begin; j < end; ++j) {

@@ -17,7 +17,8 @@ struct Neighbours {
 };
 
 /// Replaces `out` by the neighbours of arc `i`: near in time (`history`), near enough in space that both may have come
-/// from one surface, and evenly thinned to `neighbours`.
-void find_neighbours(const ArcTable& arcs, const ConsensusOptions& options, std::size_t i, Neighbours& out);
+/// from one surface, and evenly thinned to `neighbours`. Only arcs before `end` count.
+void find_neighbours(const ArcTable& arcs, const ConsensusOptions& options, std::size_t i, std::size_t end,
+                     Neighbours& out);
 
 }  // namespace echoarc::consensus

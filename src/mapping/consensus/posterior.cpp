@@ -12,12 +12,6 @@
 namespace echoarc::consensus {
 namespace {
 
-int widest_bins(const ArcTable& arcs) {
-  int widest = 0;
-  for (const BeamBins& bins : arcs.all_bins()) widest = std::max(widest, bins.padded());
-  return widest;
-}
-
 /// Whether arc `j` sees some of arc `i` so near its range that it can speak of its points: a circle around the middle
 /// that holds all that is searched of arc `i`, against the ring and the cone that arc `j` can speak of.
 bool sees(const ArcTable& arcs, const ConsensusOptions& options, std::size_t i, std::size_t j) {
@@ -53,8 +47,33 @@ kernels::CirclePair circle_pair(const ArcTable& arcs, std::size_t i, std::size_t
 
 }  // namespace
 
+int widest_bins(const ArcTable& arcs) {
+  int widest = 0;
+  for (const BeamBins& bins : arcs.all_bins()) widest = std::max(widest, bins.padded());
+  return widest;
+}
+
 WeightRows::WeightRows(std::size_t count, int bins)
-    : pad_(std::size_t(bins)), stride_(3 * std::size_t(bins)), wall_(count * stride_), point_(count * stride_) {}
+    : pad_(std::size_t(bins)),
+      stride_(3 * std::max<std::size_t>(1, pad_)),
+      wall_(count * stride_),
+      point_(count * stride_) {}
+
+void WeightRows::resize(std::size_t count) {
+  wall_.resize(count * stride_);
+  point_.resize(count * stride_);
+}
+
+void WeightRows::forget(std::size_t count) {
+  const auto floats = std::ptrdiff_t(count * stride_);
+  wall_.erase(wall_.begin(), wall_.begin() + floats);
+  point_.erase(point_.begin(), point_.begin() + floats);
+}
+
+void WeightRows::copy(std::size_t k, const WeightRows& from, std::size_t m) {
+  std::copy_n(from.wall(m), from.pad_, wall_.data() + k * stride_ + pad_);
+  std::copy_n(from.point(m), from.pad_, point_.data() + k * stride_ + pad_);
+}
 
 void WeightRows::fill(std::size_t k, const Posterior& posterior, float prior_top, float scale) {
   const auto fill_row = [&](std::span<const float> shares, float certainty, float* row) {
@@ -153,35 +172,56 @@ Posterior PosteriorEstimator::estimate(std::size_t i, const Neighbours& neighbou
   return read(i, neighbours.weight);
 }
 
-void find_posteriors(const ArcTable& arcs, const ConsensusOptions& options, std::size_t first, std::size_t end,
-                     Executor& executor, const std::function<void(std::size_t, const Posterior&)>& found) {
-  constexpr std::size_t chunk = 64;
-  WeightRows rows = prior_rows(arcs, options);
-  SweepWeights weights{&rows, 0, true};
-  const std::size_t most = std::size_t(options.sweeps - 1) * std::size_t(options.history);
-  const std::size_t lowest = first > most ? first - most : 0;
-  std::vector<Neighbours> neighbours(std::min(arcs.size(), end + most) - lowest);  // found in the first sweep
-  for (int sweep = 0; sweep < options.sweeps; ++sweep) {
-    // What later sweeps look at: a history more for each, before and after.
-    const std::size_t margin = std::size_t(options.sweeps - 1 - sweep) * std::size_t(options.history);
-    const std::size_t from = first > margin ? first - margin : 0;
-    const std::size_t to = std::min(arcs.size(), end + margin);
-    const bool last = sweep + 1 == options.sweeps;
-    WeightRows next(last ? 0 : to - from, widest_bins(arcs));
-    executor.run((to - from + chunk - 1) / chunk, [&](std::size_t task) {
-      PosteriorEstimator estimator(arcs, options);
-      for (std::size_t i = from + task * chunk; i < std::min(to, from + (task + 1) * chunk); ++i) {
-        if (sweep == 0) find_neighbours(arcs, options, i, neighbours[i - lowest]);
-        const Posterior posterior = estimator.estimate(i, neighbours[i - lowest], weights);
-        if (last)
-          found(i, posterior);
-        else
-          next.fill(i - from, posterior, arcs.bins(i).prior_top, PosteriorEstimator::support_scale(options));
-      }
-    });
-    rows = std::move(next);
-    weights = {&rows, from, false};
+namespace {
+
+/// Calls `work(begin, end)` for pieces of 0 ... count, on several threads.
+void in_pieces(std::size_t count, Executor& executor, const std::function<void(std::size_t, std::size_t)>& work) {
+  constexpr std::size_t piece = 64;
+  executor.run((count + piece - 1) / piece,
+               [&](std::size_t task) { work(task * piece, std::min(count, (task + 1) * piece)); });
+}
+
+}  // namespace
+
+std::vector<Neighbours> neighbours_of(const ArcTable& arcs, const ConsensusOptions& options, std::size_t first,
+                                      std::size_t end, Executor& executor) {
+  std::vector<Neighbours> neighbours(end - first);
+  in_pieces(neighbours.size(), executor, [&](std::size_t begin, std::size_t stop) {
+    for (std::size_t k = begin; k < stop; ++k) find_neighbours(arcs, options, first + k, arcs.size(), neighbours[k]);
+  });
+  return neighbours;
+}
+
+void sweep(const ArcTable& arcs, const ConsensusOptions& options, std::size_t first,
+           std::span<const Neighbours> neighbours, const SweepWeights& weights, Executor& executor,
+           const FoundPosterior& found) {
+  in_pieces(neighbours.size(), executor, [&](std::size_t begin, std::size_t stop) {
+    PosteriorEstimator estimator(arcs, options);
+    for (std::size_t k = begin; k < stop; ++k) found(first + k, estimator.estimate(first + k, neighbours[k], weights));
+  });
+}
+
+SweptRows find_posteriors(const ArcTable& arcs, const ConsensusOptions& options, std::size_t first, std::size_t end,
+                          Executor& executor, const FoundPosterior& found) {
+  SweptRows swept{prior_rows(arcs, options), 0};
+  // What later sweeps look at: a history more for each, before and after.
+  const auto from = [&](std::size_t margin) { return first - std::min(first, margin); };
+  const auto to = [&](std::size_t margin) { return std::min(arcs.size(), end + margin); };
+  std::size_t margin = std::size_t(options.sweeps - 1) * std::size_t(options.history);
+  const std::size_t lowest = from(margin);
+  const std::vector<Neighbours> neighbours = neighbours_of(arcs, options, lowest, to(margin), executor);
+  bool by_beam = true;
+  for (; margin > 0; margin -= std::size_t(options.history), by_beam = false) {
+    WeightRows next(to(margin) - from(margin), widest_bins(arcs));
+    sweep(arcs, options, from(margin), std::span(neighbours).subspan(from(margin) - lowest, to(margin) - from(margin)),
+          {&swept.rows, swept.first, by_beam}, executor, [&](std::size_t i, const Posterior& posterior) {
+            next.fill(i - from(margin), posterior, arcs.bins(i).prior_top, PosteriorEstimator::support_scale(options));
+          });
+    swept = {std::move(next), from(margin)};
   }
+  sweep(arcs, options, first, std::span(neighbours).subspan(first - lowest, end - first),
+        {&swept.rows, swept.first, by_beam}, executor, found);
+  return swept;
 }
 
 }  // namespace echoarc::consensus

@@ -26,6 +26,15 @@ class WeightRows {
  public:
   /// Rows for `count` arcs of at most `bins` bins, read by arcs of at most as many.
   WeightRows(std::size_t count, int bins);
+  /// Bins of the widest arc that has room.
+  [[nodiscard]] int bins() const { return int(pad_); }
+  [[nodiscard]] std::size_t size() const { return wall_.size() / stride_; }
+  /// Rows are added, empty, or taken away at the end.
+  void resize(std::size_t count);
+  /// Takes the first `count` rows away.
+  void forget(std::size_t count);
+  /// Row `k` becomes row `m` of other rows, with room for no more bins.
+  void copy(std::size_t k, const WeightRows& from, std::size_t m);
   /// Fills row `k`: min(1, Q p / top) times `scale`.
   void fill(std::size_t k, const Posterior& posterior, float prior_top, float scale);
   [[nodiscard]] const float* wall(std::size_t k) const { return wall_.data() + k * stride_ + pad_; }
@@ -69,12 +78,29 @@ class PosteriorEstimator {
   std::vector<float> wall_support_, wall_free_, point_support_, point_free_;
 };
 
+/// Bins of the widest arc.
+[[nodiscard]] int widest_bins(const ArcTable& arcs);
 /// The rows before the first sweep, one a beam.
 [[nodiscard]] WeightRows prior_rows(const ArcTable& arcs, const ConsensusOptions& options);
 
-/// Calls `found(i, posterior)` for the arcs first <= i < end after all sweeps; from several threads at once, each arc
-/// once.
-void find_posteriors(const ArcTable& arcs, const ConsensusOptions& options, std::size_t first, std::size_t end,
-                     Executor& executor, const std::function<void(std::size_t, const Posterior&)>& found);
+/// What is done with the posterior of an arc; from several threads at once, each arc once.
+using FoundPosterior = std::function<void(std::size_t, const Posterior&)>;
+
+/// The neighbours of the arcs first <= i < end.
+[[nodiscard]] std::vector<Neighbours> neighbours_of(const ArcTable& arcs, const ConsensusOptions& options,
+                                                    std::size_t first, std::size_t end, Executor& executor);
+/// One sweep over the arcs from `first` on whose neighbours these are.
+void sweep(const ArcTable& arcs, const ConsensusOptions& options, std::size_t first,
+           std::span<const Neighbours> neighbours, const SweepWeights& weights, Executor& executor,
+           const FoundPosterior& found);
+
+/// What the arcs from `first` on told the last sweep.
+struct SweptRows {
+  WeightRows rows;
+  std::size_t first = 0;
+};
+/// All sweeps for the arcs first <= i < end.
+SweptRows find_posteriors(const ArcTable& arcs, const ConsensusOptions& options, std::size_t first, std::size_t end,
+                          Executor& executor, const FoundPosterior& found);
 
 }  // namespace echoarc::consensus
