@@ -62,7 +62,8 @@ TEST(ConsensusLimits, StandingStillGivesTheMiddleOfTheBeamAtMost) {
     readings.push_back(test::monostatic_reading({{1.0, 2.0}, degrees(30.0)}, Echo{1.5 + rng.normal(0.0, 0.03)}));
     readings.back().ping = k;
   }
-  for (const MapPoint& point : map_of(readings).points())
+  const PointMap map = map_of(readings);
+  for (const MapPoint& point : map.points())
     EXPECT_NEAR(abs(wrap(bearing(point.position - Vec2{1.0, 2.0}) - degrees(30.0))).deg(), 0.0, 0.5);
   ConsensusOptions options;
   options.thin_range_m = 0.25;

@@ -213,7 +213,8 @@ TEST(ConsensusOnLine, HostileReadingsOnTheWay) {
     options.sweeps = sweeps;
     options.renew_arcs = 8;
     options.vote_arcs = 100;
-    for (const MapPoint& point : in_steps(readings, 5, options).map().points()) EXPECT_TRUE(is_finite(point.position));
+    const PointMap map = in_steps(readings, 5, options).map();
+    for (const MapPoint& point : map.points()) EXPECT_TRUE(is_finite(point.position));
   }
 }
 
