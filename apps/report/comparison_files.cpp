@@ -18,7 +18,7 @@ Result<std::vector<ReportFile>> comparison_files(const ComparisonDocument& docum
   if (!page) return page.error();
   std::vector<ReportFile> files{{"comparison.json", comparison_json(document)},
                                 {"comparison.html", std::move(*page)},
-                                {"tables/command.md", "`" + document.command + "`\n"}};
+                                {"tables/command.md", "\n    " + document.command + "\n\n"}};
   for (const studies::ComparisonSection& section : studies::comparison_sections(document.comparison)) {
     for (const studies::TextTable& table : section.tables)
       files.push_back({"tables/" + table.id + ".md", markdown_table(table)});

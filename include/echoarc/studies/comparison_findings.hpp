@@ -55,7 +55,9 @@ struct Dominance {
 struct Duel {
   std::size_t method = 0;
   std::size_t places = 0;
-  std::size_t dominated = 0;        ///< by the consensus
+  std::size_t dominated = 0;          ///< by the consensus
+  std::size_t not_more_accurate = 0;  ///< places where the consensus is not clearly more accurate
+  std::size_t not_more_complete = 0;
   std::vector<std::size_t> others;  ///< places where it is not
 };
 /// Of every method but consensus; empty when consensus was not run.

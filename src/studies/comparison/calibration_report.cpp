@@ -15,6 +15,8 @@ constexpr std::pair<double, double> pooled_target{0.88, 0.93};
 constexpr std::pair<double, double> place_target{0.85, 0.97};
 // Bins with fewer points say nothing.
 constexpr std::uint64_t least_points = 20;
+// Charts of bounds end here; what claims to be no nearer than half a metre is of no interest.
+constexpr double most_bound_cm = 50.0;
 
 std::string verdict(const ObservedShare& held, std::pair<double, double> target) {
   if (held.of == 0) return "-";
@@ -71,10 +73,10 @@ TextTable label_table(const Comparison& comparison, std::span<const std::size_t>
   return table;
 }
 
-ChartSeries curve(std::string name, const std::vector<CalibrationBin>& bins, double factor, ChartMark mark) {
-  ChartSeries series{.name = std::move(name), .mark = mark};
+ChartSeries curve(std::string name, const std::vector<CalibrationBin>& bins, double factor, double most_claimed) {
+  ChartSeries series{.name = std::move(name), .mark = ChartMark::both};
   for (const CalibrationBin& bin : bins) {
-    if (bin.observed.of < least_points) continue;
+    if (bin.observed.of < least_points || factor * bin.claimed > most_claimed) continue;
     series.x.push_back(factor * bin.claimed);
     series.y.push_back(bin.observed.share);
     series.low.push_back(bin.observed.low);
@@ -99,9 +101,10 @@ Chart probability_chart(std::string title) {
 
 Chart bound_chart(std::string title) {
   Chart chart{.title = std::move(title),
-              .x = {.title = "claimed 90 % bound (cm)", .low = 0.0, .high = 40.0},
+              .x = {.title = "claimed 90 % bound (cm)", .low = 0.0, .high = most_bound_cm},
               .y = {.title = "observed share within the bound", .low = 0.0, .high = 1.0}};
-  chart.series.push_back({.name = "as claimed", .x = {0.0, 40.0}, .y = {0.9, 0.9}, .dashed = true, .color = 7});
+  chart.series.push_back(
+      {.name = "as claimed", .x = {0.0, most_bound_cm}, .y = {0.9, 0.9}, .dashed = true, .color = 7});
   return chart;
 }
 
@@ -112,8 +115,8 @@ void add_pooled_charts(const Comparison& comparison, std::size_t m, ComparisonSe
   const auto add = [&](const char* name, Pool pool) {
     const Calibration all = calibrate(pooled_claims(comparison, m, pool));
     if (all.points == 0) return;
-    p.series.push_back(curve(name, all.by_p, 1.0, ChartMark::both));
-    bound.series.push_back(curve(name, all.bound, 100.0, ChartMark::both));
+    p.series.push_back(curve(name, all.by_p, 1.0, 1.0));
+    bound.series.push_back(curve(name, all.bound, 100.0, most_bound_cm));
   };
   add("logs", Pool::logs);
   add("scenes", Pool::scenes);
@@ -128,12 +131,12 @@ void add_log_charts(const Comparison& comparison, std::size_t m, ComparisonSecti
   Chart labels = probability_chart(label + ": probability, by label");
   for (const ComparedPlace& place : comparison.places)
     if (place.kind == PlaceKind::log)
-      p.series.push_back(without_band(curve(place.name, calibrate(claims_of(place, m)).by_p, 1.0, ChartMark::both)));
+      p.series.push_back(without_band(curve(place.name, calibrate(claims_of(place, m)).by_p, 1.0, 1.0)));
   const std::vector<ClaimedPoint> claims = pooled_claims(comparison, m, Pool::all);
   for (std::size_t k = 0; k < point_label_count; ++k) {
     const Calibration part = calibrate(with_label(claims, PointLabel(k)));
     if (part.points > 0)
-      labels.series.push_back(without_band(curve(std::string(name(PointLabel(k))), part.by_p, 1.0, ChartMark::both)));
+      labels.series.push_back(without_band(curve(std::string(name(PointLabel(k))), part.by_p, 1.0, 1.0)));
   }
   if (p.series.size() > 1)
     section.charts.push_back({"calibration-logs-" + anchor_of(label), label + ", each recorded log", std::move(p)});

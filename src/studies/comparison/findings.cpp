@@ -94,12 +94,15 @@ std::vector<Duel> duels(const Comparison& comparison, Counting counting) {
   if (!consensus) return all;
   for (std::size_t m = 0; m < comparison.methods.size(); ++m) {
     if (is_consensus(comparison.methods[m])) continue;
-    Duel duel{.method = m, .places = 0, .dominated = 0, .others = {}};
+    Duel duel;
+    duel.method = m;
     for (std::size_t p = 0; p < comparison.places.size(); ++p) {
       const MeanScores ours = mean_scores(comparison.places[p].maps[*consensus], counting);
       const MeanScores theirs = mean_scores(comparison.places[p].maps[m], counting);
       if (!comparable(ours, theirs)) continue;
       ++duel.places;
+      if (!(ours.accuracy[1] - theirs.accuracy[1] >= clear_margin)) ++duel.not_more_accurate;
+      if (!(ours.coverage - theirs.coverage >= clear_margin)) ++duel.not_more_complete;
       if (dominates(ours, theirs))
         ++duel.dominated;
       else

@@ -42,8 +42,10 @@ Result<PointSet> scored_points(const MapExport& map) {
   return is_grid ? PointSet::of_occupied(map.states) : PointSet::of_points(map.points);
 }
 
-Result<MapExport> map_of(const ComparedMethod& compared, SensedOnce& sensed) {
-  Result<AnyMethod> method = echoarc::make_method(compared.method, compared.options);
+Result<MapExport> map_of(const ComparedMethod& compared, const OptionMap& grid, SensedOnce& sensed) {
+  OptionMap options = compared.options;
+  options.insert(grid.begin(), grid.end());
+  Result<AnyMethod> method = echoarc::make_method(compared.method, options);
   if (!method) return method.error();
   const Trial& trial = sensed.with_cut(compared.range_cut_m);
   const bool limited = method->takes_laser_limited() && !trial.limited.empty();
@@ -63,12 +65,13 @@ Result<PointSet> odometry_path(const Log& log) {
 }
 
 Result<JudgedRun> judge_run(const Log& log, const Yardstick& yardstick, std::span<const ComparedMethod> methods,
-                            bool keep_points) {
+                            const SceneScorer* scorer, bool keep_points) {
   SensedOnce sensed(log, !log.scans.empty());
   const NearestPoints nearest(yardstick.reference.points);
+  const OptionMap grid = scorer == nullptr ? OptionMap{} : grid_of(scorer->scoring());
   JudgedRun run;
   for (const ComparedMethod& compared : methods) {
-    const Result<MapExport> map = map_of(compared, sensed);
+    const Result<MapExport> map = map_of(compared, grid, sensed);
     if (!map) return map.error();
     Result<PointSet> points = scored_points(*map);
     if (!points) return points.error();
@@ -78,6 +81,11 @@ Result<JudgedRun> judge_run(const Log& log, const Yardstick& yardstick, std::spa
     judged.distance = wall_distance(*points, yardstick.reference, yardstick.path);
     if (yardstick.whole) judged.against_whole = wall_distance(*points, *yardstick.whole, yardstick.path);
     judged.claims = std::move(*claims);
+    if (scorer != nullptr) {
+      const Result<PointSet> pixels = PointSet::of_occupied(map->states);
+      if (!pixels) return pixels.error();
+      judged.pixels = scorer->score(*pixels);
+    }
     run.maps.push_back(std::move(judged));
     if (keep_points) run.points.push_back(std::move(*points));
   }

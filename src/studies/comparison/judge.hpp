@@ -25,10 +25,11 @@ struct JudgedRun {
   std::vector<PointSet> points;   ///< their points, where asked for
 };
 
-/// Every method over one log, each map scored. `keep_points` for pictures. Errors: those of `make_method`,
-/// `export_map` and `PointSet`.
+/// Every method over one log, each map scored. With `scorer` the maps lie on the grid of its scoring, and their pixels
+/// are scored, too. `keep_points` for pictures. Errors: those of `make_method`, `export_map` and `PointSet`.
 [[nodiscard]] Result<JudgedRun> judge_run(const Log& log, const Yardstick& yardstick,
-                                          std::span<const ComparedMethod> methods, bool keep_points);
+                                          std::span<const ComparedMethod> methods, const SceneScorer* scorer,
+                                          bool keep_points);
 
 /// Positions of the log's odometry.
 [[nodiscard]] Result<PointSet> odometry_path(const Log& log);

@@ -119,19 +119,12 @@ Result<Site> scene_site(const StudyHost& host, const std::string& name, StudySce
   return site;
 }
 
-/// Pixels against the scene's own reference, of the methods that take all echoes.
-Result<void> add_pixel_scores(const Experiment& experiment, std::uint64_t seed, const Log& log,
-                              std::span<const ComparedMethod> methods, std::vector<ComparedMap>& maps) {
-  const Result<Trial> trial = experiment.trial(seed, log);
+/// Of a scene with pixel scores: what its own scoring holds a log against.
+Result<std::shared_ptr<const SceneScorer>> pixel_scorer(const Site& site, std::uint64_t seed, const Log& log) {
+  if (!site.experiment) return std::shared_ptr<const SceneScorer>{};
+  const Result<Trial> trial = site.experiment->trial(seed, log);
   if (!trial) return trial.error();
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    if (methods[m].range_cut_m > 0.0) continue;
-    const MethodSpec spec{methods[m].label, methods[m].method, methods[m].options};
-    const Result<std::vector<MethodResult>> result = run_methods(*trial, std::span(&spec, 1));
-    if (!result) return result.error();
-    maps[m].pixels = result->front().cells;
-  }
-  return {};
+  return trial->scorer;
 }
 
 struct SeedRun {
@@ -148,14 +141,12 @@ Result<SeedRun> run_site(const Site& site, std::uint64_t seed, std::span<const C
   }
   const Log& log = simulated ? simulated->log : *site.log;
   const bool drawn = seed == 1 && site.place.kind != PlaceKind::truncated;
-  Result<JudgedRun> judged = comparison::judge_run(log, *site.yardstick, methods, drawn);
+  const Result<std::shared_ptr<const SceneScorer>> scorer = pixel_scorer(site, seed, log);
+  if (!scorer) return scorer.error();
+  Result<JudgedRun> judged = comparison::judge_run(log, *site.yardstick, methods, scorer->get(), drawn);
   if (!judged) return judged.error();
   SeedRun run{std::move(judged->maps), std::nullopt};
   if (drawn) run.picture = comparison::picture_of(site.place.name, *site.yardstick, methods, judged->points);
-  if (site.experiment) {
-    const Result<void> pixels = add_pixel_scores(*site.experiment, seed, log, methods, run.maps);
-    if (!pixels) return pixels.error();
-  }
   return run;
 }
 

@@ -177,6 +177,8 @@ TEST(Findings, NameWhoDominatesWhomWhere) {
   EXPECT_EQ(all[0].dominated, 1u);
   EXPECT_EQ(all[1].places, 2u);
   EXPECT_EQ(all[1].dominated, 0u);
+  EXPECT_EQ(all[1].not_more_accurate, 1u);
+  EXPECT_EQ(all[1].not_more_complete, 2u);
   EXPECT_EQ(all[1].others, (std::vector<std::size_t>{0, 1}));
 }
 
