@@ -14,6 +14,7 @@
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/combined.hpp"
 #include "echoarc/mapping/consensus.hpp"
+#include "echoarc/mapping/consensus_evidence.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
 #include "echoarc/mapping/himm.hpp"
@@ -98,6 +99,10 @@ constexpr std::array methods{
         "Tangent consensus",
         "Arcs tell one another where on them a wall or a corner lies: points that are right, nearly all of "
         "them, and linked.",
+        "docs/methods/consensus.md"),
+    entry<ConsensusEvidence>(
+        "Evidence grid on consensus",
+        "The evidence grid, fed with where on its arc the consensus places each echo, without outliers.",
         "docs/methods/consensus.md"),
 };
 

@@ -10,6 +10,7 @@
 #include "echoarc/mapping/centerline.hpp"
 #include "echoarc/mapping/combined.hpp"
 #include "echoarc/mapping/consensus.hpp"
+#include "echoarc/mapping/consensus_evidence.hpp"
 #include "echoarc/mapping/directional_maximum.hpp"
 #include "echoarc/mapping/evidence_grid.hpp"
 #include "echoarc/mapping/himm.hpp"
@@ -62,6 +63,13 @@ struct LawException<Consensus> {
       "an arc that no other supports is not shown, and equal readings are one arc";
 };
 
+template <>
+struct LawException<ConsensusEvidence> {
+  static constexpr std::string_view cannot_recover = "";
+  static constexpr std::string_view needs_baseline =
+      "an arc that no other supports is not believed, and equal readings are one arc";
+};
+
 /// A lone arc, of which the suite makes much, is a line: its cells have two neighbours or three.
 template <>
 MorphologicalOptions law_options<MorphologicalProcessing>() {
@@ -71,6 +79,7 @@ MorphologicalOptions law_options<MorphologicalProcessing>() {
 namespace {
 
 ECHOARC_METHOD_LAWS(Consensus);
+ECHOARC_METHOD_LAWS(ConsensusEvidence);
 ECHOARC_METHOD_LAWS(Centerline);
 ECHOARC_METHOD_LAWS(Voting);
 ECHOARC_METHOD_LAWS(DirectionalMaximum);
