@@ -64,7 +64,7 @@ class ConsensusOracle {
     Row ok;
     for (std::size_t i = 0; i < arcs_.size(); ++i)
       ok.push_back(mass_[i] > least && ev_[i] > o_.evidence && arcs_[i].r < o_.map_range_m ? 1.0 : 0.0);
-    const Row w = validate(ok);
+    const Row w = kept_ = validate(ok);
     std::vector<OraclePoint> map;
     for (std::size_t i = 0; i < arcs_.size(); ++i)
       if (w[i] > 0.0) map.push_back(point(i, pw_[i] > 0.5 ? PointLabel::wall : PointLabel::point));
@@ -73,6 +73,23 @@ class ConsensusOracle {
     return map;
   }
   [[nodiscard]] std::size_t arc_count() const { return arcs_.size(); }
+
+  /// What is known of an arc after `map`: W by bin, and whether the vote kept it.
+  struct Belief {
+    OracleArc arc;
+    int half = 0;
+    Row w;
+    bool kept = false;
+  };
+  [[nodiscard]] std::vector<Belief> beliefs() const {
+    std::vector<Belief> beliefs;
+    for (std::size_t i = 0; i < arcs_.size(); ++i) {
+      beliefs.push_back({arcs_[i], half_[i], {}, kept_[i] > 0.0});
+      for (std::size_t m = 0; m < qw_[i].size(); ++m)
+        beliefs.back().w.push_back(pw_[i] * qw_[i][m] + (1.0 - pw_[i]) * qp_[i][m]);
+    }
+    return beliefs;
+  }
 
  private:
   [[nodiscard]] double step() const { return o_.step.rad(); }
@@ -317,7 +334,7 @@ class ConsensusOracle {
   std::map<SensorId, std::size_t> last_;
   std::vector<int> half_;
   std::vector<Row> prior_, qw_, qp_;
-  Row pw_, ev_, t_, mass_, bound_;
+  Row pw_, ev_, t_, mass_, bound_, kept_;
 };
 
 }  // namespace echoarc::oracle

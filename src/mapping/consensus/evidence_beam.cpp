@@ -46,7 +46,7 @@ int increment_near(const EvidenceBeam& beam, Vec2 axis, Vec2 cell_centre, std::s
   const double distance_m = beam.rim.is_circular() ? from_centre_m : beam.rim.half_path_m(cell_centre);
   bin = bin_of(beam.edges, sine, bin);
   if (distance_m >= beam.free_to_m) return beam.echo_m ? band_units(beam, distance_m, bin) : 0;
-  return distance_m >= beam.near_m ? beam.free_units[bin] : 0;
+  return distance_m < beam.near_m ? 0 : beam.free_units[bin];
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ bool EvidenceWindow::restore(ByteReader& in) {
           waiting.posterior.size() != std::size_t(arcs_.bins(i).count()))
         return false;
     }
-    if (!in.ok() || !is_finite(waiting.robot) || std::isnan(waiting.near_m)) return false;
+    if (!in.ok() || !is_finite(waiting.robot)) return false;
     waiting_.push_back(std::move(waiting));
   }
   return true;
