@@ -112,8 +112,9 @@ std::optional<EvidenceBeam> silence_beam(const Reading& reading, const Consensus
   EvidenceBeam beam;
   beam.near_m = reading.range_min_m;
   beam.free_to_m = std::min(reading.trusted_range_m, reading.range_max_m);
-  if (!is_no_echo(reading.outcome) || options.no_echo_weight <= 0.0 || !(beam.free_to_m > beam.near_m))
-    return std::nullopt;
+  if (!is_no_echo(reading.outcome) || options.no_echo_weight <= 0.0) return std::nullopt;
+  if (!(beam.free_to_m > std::max(0.0, beam.near_m))) return std::nullopt;  // trusted nowhere
+  if (!(reading.beam_width > Angle{} && reading.beam_width < degrees(180.0))) return std::nullopt;
   Reading at_rim = reading;
   at_rim.outcome = Echo{beam.free_to_m};
   const auto rim = arc_of(at_rim);
