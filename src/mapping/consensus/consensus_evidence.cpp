@@ -155,15 +155,13 @@ std::optional<EvidenceBeam> ConsensusEvidence::State::beam_of(const Reading& rea
   const auto echo = consensus::echo_of(reading, options, ignored);
   if (!echo || !rim_of(*echo, consensus::make_bins(options, echo->beam_width), options)) return std::nullopt;
   const consensus::ArcTable& arcs = window.arcs();
-  consensus::ArcTable recent(options);
-  for (std::size_t k = arcs.size() - std::min(arcs.size(), std::size_t(options.history)); k < arcs.size(); ++k)
-    recent.add(arcs[k]);
+  consensus::ArcTable recent = arcs.since(arcs.size() - std::min(arcs.size(), std::size_t(options.history)));
   recent.add(*echo);
   const std::size_t own = recent.size() - 1;
   const consensus::WeightRows rows = consensus::prior_rows(recent, options);
   consensus::PosteriorEstimator estimator(recent, options);
   consensus::Neighbours neighbours;
-  find_neighbours(recent, options, own, neighbours);
+  find_neighbours(recent, options, own, own, neighbours);
   const std::vector<float> posterior = mixture(estimator.estimate(own, neighbours, {&rows, 0, true}));
   return echo_beam(*echo, recent.bins(own), posterior, reading.range_min_m, options);
 }

@@ -67,9 +67,7 @@ void EvidenceWindow::vote(std::size_t end) {
 void EvidenceWindow::forget() {
   const std::size_t first = std::min(left_, known_ - std::min(known_, ahead_));
   if (first == 0) return;
-  ArcTable kept(options_);
-  for (std::size_t i = first; i < arcs_.size(); ++i) kept.add(arcs_[i]);
-  arcs_ = std::move(kept);
+  arcs_.forget(first);
   waiting_.erase(waiting_.begin(), waiting_.begin() + std::ptrdiff_t(first));
   left_ -= first;
   known_ -= first;
