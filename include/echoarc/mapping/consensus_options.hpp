@@ -73,6 +73,7 @@ struct ConsensusOptions {
   double complete_link_m = 0.8;
   double link_step_m = 0.05;
   int link_crossings = 2;
+  int link_misses = 2;
   double link_ray_m = 0.3;
   double link_ray_end_m = 0.15;
   double link_bound_m = 0.10;
@@ -234,6 +235,11 @@ constexpr auto consensus_link_fields() {
       field("link_step_m", &O::link_step_m, {.unit = "m", .min = 0.001, .max = 10.0, .doc = "E: points of a link"}),
       field("link_crossings", &O::link_crossings,
             {.min = 1, .max = 1'000'000, .doc = "E: so many rays through a gap keep it open"}),
+      field("link_misses", &O::link_misses,
+            {.min = 1,
+             .max = 1'000'000,
+             .doc = "E: so many looks at a right angle to a gap, which hear nothing there, keep it open, if they are "
+                    "more than passed_ratio for each that does; silence counts as far as it is trusted"}),
       field("link_ray_m", &O::link_ray_m,
             {.unit = "m", .min = 0.0, .max = 100.0, .doc = "E: rays shorter than this do not count"}),
       field("link_ray_end_m", &O::link_ray_end_m,

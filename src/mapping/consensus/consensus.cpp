@@ -28,6 +28,7 @@ class Consensus::State {
   consensus::OnLineMap on_line;
   std::size_t finished = 0;      // arcs at the last `finish`
   std::size_t places = 0;        // of the robot's way, then
+  std::size_t looks = 0;         // then
   bool fresh = false;            // readings came since
   bool whole = false;            // the map is that of all arcs weighed in one
   std::size_t context = 0;       // the first arcs, whose points are final
@@ -40,6 +41,7 @@ namespace {
 constexpr std::size_t point_bytes = sizeof(MapPoint) + sizeof(PointBelief) + 6 * sizeof(PingId);
 constexpr std::size_t arc_bytes =
     sizeof(EchoArc) + 2 * sizeof(Vec2) + 2 * sizeof(double) + sizeof(EchoEstimate) + 3 * point_bytes;
+constexpr std::size_t look_bytes = sizeof(consensus::Look) + sizeof(std::uint32_t);
 constexpr std::size_t place_bytes = sizeof(Vec2) + sizeof(std::uint32_t);
 
 /// Arcs whose estimates a new one may change.
@@ -63,10 +65,13 @@ Consensus::~Consensus() = default;
 
 std::size_t Consensus::memory_bytes() const {
   const consensus::History& history = state_->history;
-  return history.arcs.size() * arc_bytes + history.path.size() * place_bytes + state_->final_map.points * point_bytes;
+  return history.arcs.size() * arc_bytes + history.path.size() * place_bytes + history.looks.size() * look_bytes +
+         state_->final_map.points * point_bytes;
 }
 
 void Consensus::take(const Reading& reading) {
+  if (memory_bytes() + look_bytes <= memory_limit_bytes(options_))
+    state_->history.looks.add(reading, options_, state_->history.arcs.size());
   const auto echo = consensus::echo_of(reading, options_, counters_);
   if (!echo) return;
   if (memory_bytes() + arc_bytes + place_bytes > memory_limit_bytes(options_)) {
@@ -124,10 +129,12 @@ void Consensus::finish(Executor& executor) {
     if (!state.whole || added > 0) weigh_all(executor);
   } else {
     state.on_line.update(state.history, executor, map_);
-    state.whole = state.whole && added == 0 && state.history.path.size() == state.places;
+    state.whole = state.whole && added == 0 && state.history.path.size() == state.places &&
+                  state.history.looks.size() == state.looks;
   }
   state.finished = count;
   state.places = state.history.path.size();
+  state.looks = state.history.looks.size();
   state.fresh = false;
 }
 

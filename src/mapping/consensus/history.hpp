@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "mapping/consensus/looks.hpp"
 #include "mapping/consensus/read_out.hpp"
 
 namespace echoarc::consensus {
@@ -33,6 +34,7 @@ struct History {
   /// Forgets the first `count` arcs, and where the robot was before.
   void forget(std::size_t count) {
     arcs.forget(count);
+    looks.forget(count);
     estimates.erase(estimates.begin(), estimates.begin() + std::ptrdiff_t(std::min(count, estimates.size())));
     settled -= std::min(settled, count);
     path.erase(path.begin(), path.end() - std::ptrdiff_t(path_since(count).size()));
@@ -41,6 +43,7 @@ struct History {
   }
 
   ArcTable arcs;
+  LookTable looks;
   std::vector<EchoEstimate> estimates;   // by arc
   std::size_t settled = 0;               // arcs whose estimates no reading can change any more
   std::vector<Vec2> path;                // of the robot

@@ -78,13 +78,13 @@ std::vector<Element> weak_of(const ArcTable& arcs, const ConsensusOptions& optio
 }  // namespace
 
 Layers build_layers(const ArcTable& arcs, const ConsensusOptions& options, std::span<const EchoEstimate> estimates,
-                    std::span<const Vec2> path) {
+                    std::span<const Vec2> path, std::span<const Look> looks) {
   const double least_p = options.mode == ConsensusMode::strict ? options.strict_p : options.accept_p;
   const bool complete = options.mode == ConsensusMode::complete;
   Layers layers;
   layers.accepted = voted(arcs, options, estimates, path,
                           [&](const EchoEstimate& e) { return e.p > least_p && e.evidence > options.evidence; });
-  layers.links = find_links(arcs, options, layers.accepted, complete ? options.complete_link_m : options.link_m);
+  layers.links = find_links(arcs, options, layers.accepted, looks, complete ? options.complete_link_m : options.link_m);
   if (!complete) return layers;
   layers.zones = zones_of(arcs, options, estimates, layers.accepted);
   layers.weak = weak_of(arcs, options, estimates, path, layers);

@@ -21,7 +21,8 @@ struct Layers {
 
 /// Steps C to E from the estimates on, one an arc.
 [[nodiscard]] Layers build_layers(const ArcTable& arcs, const ConsensusOptions& options,
-                                  std::span<const EchoEstimate> estimates, std::span<const Vec2> path);
+                                  std::span<const EchoEstimate> estimates, std::span<const Vec2> path,
+                                  std::span<const Look> looks);
 
 /// The layers as map points, with the pings that speak for each: an element's own first, then those beside it.
 [[nodiscard]] PointMap point_map_of(const ArcTable& arcs, const ConsensusOptions& options,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "mapping/consensus/point_finder.hpp"
@@ -81,20 +82,62 @@ std::vector<int> crossings(const ArcTable& arcs, const ConsensusOptions& options
   return counts;
 }
 
+/// What a look says of a wall from `begin` along `way`: -1 that it would have heard it, 1 that it did, 0 nothing. Sound
+/// comes back from where it meets the wall at a right angle.
+int testimony(const Look& look, Vec2 begin, Vec2 way, const ConsensusOptions& options) {
+  const double length_m = norm(way);
+  const Vec2 along = way / length_m;
+  const Vec2 from_begin = look.origin - begin;
+  const double foot_m = dot(from_begin, along);
+  const double distance_m = std::abs(cross(along, from_begin));
+  // Nearer to an end, the first Fresnel zone reaches beyond it.
+  const double zone_m = std::sqrt(0.5 * options.wavelength_m * distance_m);
+  if (foot_m < zone_m || foot_m > length_m - zone_m) return 0;
+  const Vec2 to_foot = begin + foot_m * along - look.origin;
+  if (distance_m <= options.front_m || dot(to_foot, look.axis) < distance_m * cos(options.facing_angle)) return 0;
+  if (look.range_m > distance_m + options.free_margin_m) return -1;
+  return look.range_m >= distance_m - options.free_margin_m ? 1 : 0;
+}
+
+/// By link: whether looks deny it.
+std::vector<bool> denied(const ConsensusOptions& options, std::span<const Element> elements,
+                         std::span<const Look> looks, std::span<const Link> links, double gap_m) {
+  std::vector<Vec2> middles;
+  for (const Link& link : links)
+    middles.push_back(0.5 * (elements[link.first].position + elements[link.second].position));
+  const PointFinder finder(middles, finder_cell_m);
+  std::vector<int> misses(links.size(), 0);
+  std::vector<int> hits(links.size(), 0);
+  for (const Look& look : looks) {
+    const Vec2 target = look.origin + std::min(look.range_m, options.map_range_m) * look.axis;
+    finder.along(look.origin, target, gap_m, [&](std::size_t k) {
+      const Vec2 begin = elements[links[k].first].position;
+      const int said = testimony(look, begin, elements[links[k].second].position - begin, options);
+      misses[k] += said < 0 ? 1 : 0;
+      hits[k] += said > 0 ? 1 : 0;
+    });
+  }
+  std::vector<bool> denied;
+  for (std::size_t k = 0; k < links.size(); ++k)
+    denied.push_back(misses[k] >= options.link_misses && misses[k] > options.passed_ratio * hits[k]);
+  return denied;
+}
+
 }  // namespace
 
 std::vector<Link> find_links(const ArcTable& arcs, const ConsensusOptions& options, std::span<const Element> elements,
-                             double gap_m) {
+                             std::span<const Look> looks, double gap_m) {
   if (gap_m <= 0.0) return {};
   std::vector<Vec2> positions;
   for (const Element& element : elements) positions.push_back(element.position);
   const PointFinder finder(positions, finder_cell_m);
   const std::vector<Link> links = candidates(elements, options.link_step_m, gap_m, finder);
   const std::vector<int> crossed = crossings(arcs, options, elements, links, gap_m);
-  std::vector<Link> open;
+  const std::vector<bool> missed = denied(options, elements, looks, links, gap_m);
+  std::vector<Link> kept;
   for (std::size_t k = 0; k < links.size(); ++k)
-    if (crossed[k] < options.link_crossings) open.push_back(links[k]);
-  return open;
+    if (crossed[k] < options.link_crossings && !missed[k]) kept.push_back(links[k]);
+  return kept;
 }
 
 }  // namespace echoarc::consensus

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mapping/consensus/looks.hpp"
 #include "mapping/consensus/read_out.hpp"
 
 namespace echoarc::consensus {
@@ -19,8 +20,9 @@ struct Link {
 };
 
 /// Step E: joins every element with its nearest neighbours on both sides of its tangent, at most `gap_m` away, unless
-/// rays cross the gap. Ordered by their elements.
+/// rays cross the gap, or looks at a right angle to it find nothing there. Ordered by their elements.
 [[nodiscard]] std::vector<Link> find_links(const ArcTable& arcs, const ConsensusOptions& options,
-                                           std::span<const Element> elements, double gap_m);
+                                           std::span<const Element> elements, std::span<const Look> looks,
+                                           double gap_m);
 
 }  // namespace echoarc::consensus

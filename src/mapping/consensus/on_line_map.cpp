@@ -49,7 +49,8 @@ constexpr std::size_t beside_new_arcs = 16;  // arcs before the new ones that vo
 PointMap map_of(const History& history, const ConsensusOptions& options, std::size_t from) {
   const ArcTable arcs = history.arcs.since(from);
   const auto estimates = std::span(history.estimates).subspan(from);
-  return point_map_of(arcs, options, estimates, build_layers(arcs, options, estimates, history.path_since(from)));
+  const Layers layers = build_layers(arcs, options, estimates, history.path_since(from), history.looks.since(from));
+  return point_map_of(arcs, options, estimates, layers);
 }
 
 MapSize size_of(const PointMap& map) {

@@ -23,6 +23,7 @@ void save_history(ByteWriter& out, const History& history, std::size_t context) 
   }
   out.put_vector(history.path);
   out.put_vector(history.path_arcs);
+  history.looks.save(out);
 }
 
 namespace {
@@ -52,7 +53,7 @@ bool restore_history(ByteReader& in, History& history) {
   if (!history.arcs.restore(in) || !restore_estimates(in, history)) return false;
   history.path = in.get_vector<Vec2>();
   history.path_arcs = in.get_vector<std::uint32_t>();
-  return in.ok() && history.path.size() == history.path_arcs.size() &&
+  return history.looks.restore(in) && history.path.size() == history.path_arcs.size() &&
          std::ranges::all_of(history.path, [](Vec2 p) { return is_finite(p); }) &&
          std::ranges::is_sorted(history.path_arcs) &&
          (history.path_arcs.empty() || history.path_arcs.back() <= history.arcs.size());

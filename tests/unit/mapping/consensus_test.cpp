@@ -195,6 +195,21 @@ TEST(Consensus, DrawsLinksAsLines) {
   }
 }
 
+/// A wall with a gap of 45 cm, past which a sensor that looks at it squarely drives in silence.
+TEST(Consensus, SilenceBeforeAGapKeepsItOpen) {
+  std::vector<Reading> readings = wall(80);
+  const auto before_gap = [](const Reading& reading) { return std::abs(reading.T_world_tx.position.x - 0.9) < 0.22; };
+  std::vector<Reading> unheard = readings;
+  std::erase_if(unheard, before_gap);
+  for (Reading& reading : readings)
+    if (before_gap(reading)) reading.outcome = NoEcho{};
+  const auto crosses_gap = [](const MapSegment& link) {
+    return std::min(link.begin.x, link.end.x) < 0.88 && std::max(link.begin.x, link.end.x) > 0.92;
+  };
+  EXPECT_GT(std::ranges::count_if(mapped(unheard).map().segments(), crosses_gap), 0);
+  EXPECT_EQ(std::ranges::count_if(mapped(readings).map().segments(), crosses_gap), 0);
+}
+
 TEST(Consensus, NothingIsWhereTheRobotHasBeen) {
   std::vector<Reading> readings = wall(60);
   for (std::size_t k = 0; k < 40; ++k) {
