@@ -266,7 +266,8 @@ class ConsensusOracle {
       for (std::size_t i = 0; i < n; ++i)
         for (const std::size_t e : crossed[i]) blk[i] += sup[e] >= pas[e] ? w[e] : 0.0;
       for (std::size_t i = 0; i < n; ++i) {
-        const bool keep = blk[i] < o_.blocked && !(pas[i] >= o_.passed && pas[i] > o_.passed_ratio * sup[i]);
+        const bool outlier = blk[i] >= o_.blocked && blk[i] > o_.blocked_ratio * sup[i];
+        const bool keep = !outlier && !(pas[i] >= o_.passed && pas[i] > o_.passed_ratio * sup[i]);
         const double now = keep ? w0[i] : 0.0;
         w[i] = vote + 1 < o_.votes ? 0.5 * (w[i] + now) : now;
       }
@@ -294,9 +295,10 @@ class ConsensusOracle {
       for (std::size_t i = 0; i < arcs_.size(); ++i)
         if (w[i] > 0.0 && arcs_[i].r >= o_.link_ray_m) through += passes(i, begin, way) ? 1 : 0;
       if (through >= o_.link_crossings) continue;
+      const double p = std::min(mass_[a], mass_[b]) * std::exp(-norm(way) / o_.link_decay_m);
       const int pieces = int(std::ceil(norm(way) / o_.link_step_m));
       for (int m = 1; m < pieces; ++m)
-        map.push_back({begin + (double(m) / pieces) * way, PointLabel::link, o_.link_bound_m, o_.link_p, 0});
+        map.push_back({begin + (double(m) / pieces) * way, PointLabel::link, o_.link_bound_m, p, 0});
     }
   }
   [[nodiscard]] bool passes(std::size_t i, Vec2 begin, Vec2 way) const {

@@ -53,7 +53,7 @@ class Consensus {
   [[nodiscard]] const Options& options() const { return options_; }
   void insert(std::span<const Reading> readings, Executor& executor);
   void finish(Executor& executor);
-  /// Walls and points in the order of their echoes, then links, zones and weak points; each with a belief. `bound_m`
+  /// Walls and points, then links, the most certain first; then zones and weak points. Each has a belief. `bound_m`
   /// holds with 90 %. Walls, points: supported by the echo's ping, then by up to 15 of those beside it; links by their
   /// ends; zones by their walls'.
   [[nodiscard]] const Map& map() const { return map_; }

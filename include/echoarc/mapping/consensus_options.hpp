@@ -47,15 +47,15 @@ struct ConsensusOptions {
   double range_sigma_m = 0.045;
   double clutter_m = 3.0;
   double detection = 0.6;
-  double independence = 0.25;
-  double facing = 0.3;
+  double independence = 0.2;
+  double facing = 0.25;
   Angle facing_angle = degrees(10.0);
   double free_margin_m = 0.10;
   int sweeps = 2;
 
-  double tolerance_m = 0.10;
+  double tolerance_m = 0.12;
   double bound_least_m = 0.05;
-  double accept_p = 0.4;
+  double accept_p = 0.45;
   double strict_p = 0.7;
   double evidence = 0.3;
   double map_range_m = 3.0;
@@ -65,6 +65,7 @@ struct ConsensusOptions {
   double front_m = 0.05;
   double behind_m = 0.15;
   double blocked = 2.5;
+  double blocked_ratio = 2.0;
   double passed = 3.0;
   double passed_ratio = 2.0;
   int votes = 6;
@@ -77,7 +78,7 @@ struct ConsensusOptions {
   double link_ray_m = 0.3;
   double link_ray_end_m = 0.15;
   double link_bound_m = 0.10;
-  double link_p = 0.9;
+  double link_decay_m = 4.0;
 
   double zone = 1.5;
   double wavelength_m = 0.007;
@@ -168,7 +169,7 @@ constexpr auto consensus_neighbour_fields() {
       field("detection", &O::detection,
             {.min = 0.0, .max = 1.0, .doc = "B: chance that a sensor reports a surface that it faces"}),
       field("independence", &O::independence,
-            {.min = 0.0, .max = 1.0, .doc = "B: share of the neighbours that is independent: one in four"}),
+            {.min = 0.0, .max = 1.0, .doc = "B: share of the neighbours that is independent: one in five"}),
       field("facing", &O::facing,
             {.min = 0.0,
              .max = 0.99,
@@ -219,6 +220,12 @@ constexpr auto consensus_vote_fields() {
       field("behind_m", &O::behind_m, {.unit = "m", .min = 0.0, .max = 10.0, .doc = "D: and ends so far behind it"}),
       field("blocked", &O::blocked,
             {.min = 0.0, .max = 1e6, .doc = "D: a ray that crosses so much well supported surface is an outlier"}),
+      field(
+          "blocked_ratio", &O::blocked_ratio,
+          {.min = 0.0,
+           .max = 1e6,
+           .doc = "D: unless others support its end: if it crosses no more than so many for each of those. People who "
+                  "come and go cross good rays"}),
       field("passed", &O::passed, {.min = 0.0, .max = 1e6, .doc = "D: a point goes if so many rays cross it"}),
       field("passed_ratio", &O::passed_ratio,
             {.min = 0.0, .max = 1e6, .doc = "D: and more than so many for each that supports it"}),
@@ -246,7 +253,13 @@ constexpr auto consensus_link_fields() {
             {.unit = "m", .min = 0.0, .max = 100.0, .doc = "E: nor does the end of a ray"}),
       field("link_bound_m", &O::link_bound_m,
             {.unit = "m", .min = 0.0, .max = 10.0, .doc = "E: 90 % bound of a link's points"}),
-      field("link_p", &O::link_p, {.min = 0.0, .max = 1.0, .doc = "E: p of a link's points"}),
+      field("link_decay_m", &O::link_decay_m,
+            {.unit = "m",
+             .min = 0.01,
+             .max = 1000.0,
+             .doc =
+                 "E: a link's points have the p of its less certain end times exp(-length / link_decay_m): of links of "
+                 "half a metre between certain points about nine in ten hold"}),
       field("zone", &O::zone,
             {.min = 0.0,
              .max = 10.0,

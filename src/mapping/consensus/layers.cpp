@@ -3,7 +3,9 @@
 
 #include "mapping/consensus/layers.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mapping/consensus/point_finder.hpp"
 #include "mapping/consensus/validation.hpp"
@@ -122,8 +124,9 @@ class LayerWriter {
     const Vec2 across = perpendicular(way) / norm(way);
     const Vec2 normal = dot(across, first.normal + second.normal) > 0.0 ? -across : across;
     add({first.position, second.position, PointLabel::link}, newer);
-    along_link(link, accepted_, options_.link_step_m, [&](Vec2 p, double) {
-      add(p, PointLabel::link, options_.link_bound_m, newer, {normal, options_.link_p, false});
+    const double p = link_p(link);
+    along_link(link, accepted_, options_.link_step_m, [&](Vec2 position, double) {
+      add(position, PointLabel::link, options_.link_bound_m, newer, {normal, p, false});
     });
   }
 
@@ -132,6 +135,17 @@ class LayerWriter {
     put(end, PointLabel::zone);
     const Angle t = estimates_[end.echo].t;
     add({element_of(arcs_, end.echo, t).position, end.position, PointLabel::zone}, end.echo);
+  }
+
+  /// Chance that a link's points are right: that of its less certain end, less the longer it is.
+  [[nodiscard]] double link_p(const Link& link) const {
+    const double ends = std::min(estimate_of(link.first).p, estimate_of(link.second).p);
+    const double length_m = norm(accepted_[link.second].position - accepted_[link.first].position);
+    return ends * std::exp(-length_m / options_.link_decay_m);
+  }
+
+  [[nodiscard]] const EchoEstimate& estimate_of(std::size_t accepted) const {
+    return estimates_[accepted_[accepted].echo];
   }
 
   [[nodiscard]] PointMap take() && { return std::move(map_); }
@@ -190,12 +204,24 @@ class LayerWriter {
 
 }  // namespace
 
+/// Calls `put` for every item, the most certain first, equals in their order.
+template <class Item, class Certainty, class Put>
+void most_certain_first(const std::vector<Item>& items, Certainty certainty, Put put) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < items.size(); ++k) order.emplace_back(-certainty(items[k]), k);
+  std::ranges::sort(order);
+  for (const auto& [less, k] : order) put(items[k]);
+}
+
 PointMap point_map_of(const ArcTable& arcs, const ConsensusOptions& options, std::span<const EchoEstimate> estimates,
                       const Layers& layers) {
   LayerWriter writer(arcs, options, estimates, layers.accepted);
-  for (const Element& element : layers.accepted)
+  const auto put = [&](const Element& element) {
     writer.put(element, estimates[element.echo].wall_share > 0.5 ? PointLabel::wall : PointLabel::point);
-  for (const Link& link : layers.links) writer.put(link);
+  };
+  most_certain_first(layers.accepted, [&](const Element& element) { return estimates[element.echo].p; }, put);
+  most_certain_first(
+      layers.links, [&](const Link& link) { return writer.link_p(link); }, [&](const Link& link) { writer.put(link); });
   for (const Element& zone : layers.zones) writer.put_zone(zone);
   for (const Element& element : layers.weak) writer.put(element, PointLabel::weak);
   return std::move(writer).take();

@@ -118,7 +118,8 @@ std::vector<bool> validate(const ArcTable& arcs, const ConsensusOptions& options
     const bool last = vote + 1 == options.votes;
     for (std::size_t e = 0; e < w.size(); ++e) {
       const bool voted_out = passed[e] >= options.passed && passed[e] > options.passed_ratio * support[e];
-      const double kept = blocked[e] < options.blocked && !voted_out ? start[e] : 0.0;
+      const bool outlier = blocked[e] >= options.blocked && blocked[e] > options.blocked_ratio * support[e];
+      const double kept = !outlier && !voted_out ? start[e] : 0.0;
       w[e] = last ? kept : 0.5 * (w[e] + kept);
     }
   }
