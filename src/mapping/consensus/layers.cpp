@@ -202,8 +202,6 @@ class LayerWriter {
   PointMap map_;
 };
 
-}  // namespace
-
 /// Calls `put` for every item, the most certain first, equals in their order.
 template <class Item, class Certainty, class Put>
 void most_certain_first(const std::vector<Item>& items, Certainty certainty, Put put) {
@@ -212,6 +210,8 @@ void most_certain_first(const std::vector<Item>& items, Certainty certainty, Put
   std::ranges::sort(order);
   for (const auto& [less, k] : order) put(items[k]);
 }
+
+}  // namespace
 
 PointMap point_map_of(const ArcTable& arcs, const ConsensusOptions& options, std::span<const EchoEstimate> estimates,
                       const Layers& layers) {
