@@ -87,8 +87,8 @@ TEST(Consensus, TellsAPoleFromAWall) {
   EXPECT_GT(points, 30U);
 }
 
-/// The prior alone, sigma 8 degrees on -15 ... 15 in steps of 1, at 1 m: +-5 bins lie within 10 cm and hold
-/// erf(5.5/8/sqrt 2)/erf(15.5/8/sqrt 2) = 0.536; 12 degrees to either side hold 90 %: 2 sin 6 degrees.
+/// The prior alone, sigma 8 degrees on -15 ... 15 in steps of 1, at 1 m: +-6 bins lie within 12 cm and hold
+/// erf(6.5/8/sqrt 2)/erf(15.5/8/sqrt 2) = 0.616; 12 degrees to either side hold 90 %: 2 sin 6 degrees.
 TEST(Consensus, ReadsAKnownPosterior) {
   const ConsensusOptions options;
   consensus::ArcTable arcs(options);
@@ -98,7 +98,7 @@ TEST(Consensus, ReadsAKnownPosterior) {
   const auto prior = std::span(bins.prior).first(31);
   const consensus::EchoEstimate estimate = read_out(arcs[0], bins, options, {prior, prior, 0.5F, 0.0F});
   EXPECT_NEAR(estimate.t.rad(), 0.0, 1e-6);
-  EXPECT_NEAR(estimate.p, 0.536, 0.002);
+  EXPECT_NEAR(estimate.p, 0.616, 0.002);
   EXPECT_NEAR(estimate.bound_m, 2.0 * sin(degrees(6.0)), 1e-6);
 }
 
@@ -130,10 +130,13 @@ TEST(Consensus, BistaticReadingsOfOnePlaceAreMonostaticOnes) {
   const PointMap b = mapped(ellipses).map();
   ASSERT_EQ(a.size(), b.size());
   ASSERT_GT(a.size(), 20U);
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    EXPECT_EQ(a.points()[k].label, b.points()[k].label);
-    EXPECT_NEAR(norm(a.points()[k].position - b.points()[k].position), 0.0, 1e-4);
-    EXPECT_NEAR(a.beliefs()[k].probability, b.beliefs()[k].probability, 1e-3);
+  for (std::size_t k = 0; k < a.size(); ++k) {  // points of nearly one certainty may come in another order
+    const MapPoint& point = a.points()[k];
+    const auto same = std::ranges::find_if(b.points(), [&](const MapPoint& other) {
+      return other.label == point.label && norm(other.position - point.position) < 1e-4;
+    });
+    ASSERT_NE(same, b.points().end()) << k;
+    EXPECT_NEAR(a.beliefs()[k].probability, b.beliefs()[std::size_t(same - b.points().begin())].probability, 1e-3);
   }
 }
 
