@@ -36,6 +36,7 @@ class MapTest(CommandTest):
             expected |= {f"{method}/{name}" for name in ("map.yaml", "map.pgm", "map.png", "points.csv")}
         for method in (name for name, map_kind in METHODS.items() if not map_kind.startswith("points")):
             expected |= {f"{method}/grid.npy", f"{method}/grid.json"}
+        expected.add("consensus/segments.csv")  # the one method with links
         self.assertEqual(set(tree(self.dir / "out")), expected)
         self.assert_nothing_left("out", "room.jsonl")
 
