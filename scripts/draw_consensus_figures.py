@@ -166,7 +166,7 @@ def draw_rows(canvas: Canvas, left: float, title: str, bearings: list[float], wa
     step = bearings[1] - bearings[0]
     x_true = left + (truth_deg - bearings[0] + 0.5 * step) / step * each
     canvas.stroke(x_true, top, x_true, top + height, INK, 1.2, "5 4")
-    for degree in (-15, -10, -5, 0, 5, 10, 15):
+    for degree in (-10, -5, 0, 5, 10):
         x = left + (degree - bearings[0] + 0.5 * step) / step * each
         canvas.label(x, top + height + 17, f"{degree:+d}°" if degree else "0°", anchor="middle", size=11)
     canvas.label(left + width, top + 10, f"full height {highest:.2f}", GREY, "end", 11)
