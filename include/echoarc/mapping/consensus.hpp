@@ -37,8 +37,8 @@ struct SweptRows;
 ///
 /// So `finish` twice after the last reading gives what one `finish` after all readings gives. Twice `window_arcs` arcs
 /// are kept at most; then the points of the older half become final, and of those arcs nothing else is kept.
-/// Silence makes no point; it keeps gaps open. A sensor that neither moves nor turns says one thing, once; without neighbours
-/// an arc gives no point.
+/// Silence makes no point; it keeps gaps open. A sensor that neither moves nor turns says one thing, once; without
+/// neighbours an arc gives no point.
 class Consensus {
  public:
   using Options = ConsensusOptions;
