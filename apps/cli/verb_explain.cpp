@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -94,10 +95,10 @@ void print_beliefs(const EchoExplanation& explained) {
 void print_voices(const EchoExplanation& explained) {
   constexpr std::size_t most = 8;
   const auto loudness = [](const NeighbourVoice& v) {
-    return std::max({v.wall, v.point, -v.wall_free, -v.point_free});
+    return std::pair(std::max({v.wall, v.point, -v.wall_free, -v.point_free}), v.ping);  // of equals the newer first
   };
   std::vector<NeighbourVoice> voices = explained.voices;
-  std::ranges::stable_sort(voices, std::greater{}, loudness);
+  std::ranges::sort(voices, std::greater{}, loudness);
   voices.resize(std::min(most, voices.size()));
   Table table({"neighbour", "for a wall", "against", "for a point", "against"});
   for (const NeighbourVoice& v : voices)

@@ -141,7 +141,7 @@ void Consensus::finish(Executor& executor) {
 /// The whole map but for what is final.
 void Consensus::weigh_all(Executor& executor) {
   State& state = *state_;
-  consensus::History& history = state.history;
+  const consensus::History& history = state.history;
   settle_full_pieces(executor);
   state.on_line.start(history, settle(history.arcs.size(), executor), state.context);
   const PointMap found = consensus::map_of(history, options_, 0);

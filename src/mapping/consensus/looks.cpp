@@ -14,7 +14,7 @@ namespace echoarc::consensus {
 namespace {
 
 std::optional<double> free_range_m(const Reading& reading) {
-  if (const auto range_m = echo_range_m(reading.outcome)) return *range_m;
+  if (const auto range_m = echo_range_m(reading.outcome)) return range_m;
   if (std::holds_alternative<NoEcho>(reading.outcome)) return std::min(reading.trusted_range_m, reading.range_max_m);
   return std::nullopt;
 }
