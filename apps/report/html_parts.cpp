@@ -16,7 +16,6 @@
 namespace echoarc::report {
 namespace {
 
-using studies::Spread;
 using studies::StudyRow;
 
 std::string paper_value(const StudyRow& row) {
