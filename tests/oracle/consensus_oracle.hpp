@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <set>
@@ -64,12 +65,14 @@ class ConsensusOracle {
     Row ok;
     for (std::size_t i = 0; i < arcs_.size(); ++i)
       ok.push_back(mass_[i] > least && ev_[i] > o_.evidence && arcs_[i].r < o_.map_range_m ? 1.0 : 0.0);
-    const Row w = kept_ = validate(ok);
+    kept_ = validate(ok);
+    const Row w = occupied(kept_);
     std::vector<OraclePoint> map;
     for (std::size_t i = 0; i < arcs_.size(); ++i)
       if (w[i] > 0.0) map.push_back(point(i, pw_[i] > 0.5 ? PointLabel::wall : PointLabel::point));
     link(w, complete ? o_.complete_link_m : o_.link_m, map);
-    if (complete) add_complete(w, map);
+    if (o_.mode != ConsensusMode::strict) add_zones(w, complete ? o_.strict_p : o_.zone_p, map);
+    if (complete) add_weak(map);
     return map;
   }
   [[nodiscard]] std::size_t arc_count() const { return arcs_.size(); }
@@ -264,7 +267,7 @@ class ConsensusOracle {
         for (const std::size_t e : crossed[i]) pas[e] += w[i];
       }
       for (std::size_t i = 0; i < n; ++i)
-        for (const std::size_t e : crossed[i]) blk[i] += sup[e] >= pas[e] ? w[e] : 0.0;
+        for (const std::size_t e : crossed[i]) blk[i] += pas[e] <= o_.passed_ratio * sup[e] ? w[e] : 0.0;
       for (std::size_t i = 0; i < n; ++i) {
         const bool outlier = blk[i] >= o_.blocked && blk[i] > o_.blocked_ratio * sup[i];
         const bool keep = !outlier && !(pas[i] >= o_.passed && pas[i] > o_.passed_ratio * sup[i]);
@@ -272,6 +275,32 @@ class ConsensusOracle {
         w[i] = vote + 1 < o_.votes ? 0.5 * (w[i] + now) : now;
       }
     }
+    return w;
+  }
+
+  /// Log-odds of a surface at a place, from the echoes that `rays` marks.
+  [[nodiscard]] double evidence(const Row& rays, Vec2 place) const {
+    const auto log_odds = [](double p) { return std::log(p / (1.0 - p)); };
+    double sum = 0.0;
+    for (std::size_t i = 0; i < arcs_.size(); ++i) {
+      const Vec2 d = place - arcs_[i].s;
+      const double e = norm(d) - arcs_[i].r;
+      const double aside = arcs_[i].r * std::sin(wrapped(bearing(d).rad() - arcs_[i].phi - t_[i]));
+      if (rays[i] <= 0.0 || dot(d, normal(i)) <= 0.0 || std::abs(aside) > o_.spread_m) continue;
+      if (std::abs(e) <= 2.0 * o_.band_sigma_m)
+        sum += log_odds(0.5 + (o_.occupied_peak - 0.5) * mass_[i] * bell(e, o_.band_sigma_m));
+      else if (e < -o_.free_margin_m)
+        sum += log_odds(0.5 - (0.5 - o_.free_floor) * mass_[i]);
+    }
+    return sum;
+  }
+  [[nodiscard]] double least_evidence() const {
+    return std::log(o_.occupied_threshold / (1.0 - o_.occupied_threshold));
+  }
+  [[nodiscard]] Row occupied(Row w) const {
+    const Row rays = w;
+    for (std::size_t i = 0; i < arcs_.size(); ++i)
+      if (w[i] > 0.0 && evidence(rays, at(i, t_[i])) < least_evidence()) w[i] = 0.0;
     return w;
   }
 
@@ -310,18 +339,32 @@ class ConsensusOracle {
     return lambda > 0.0 && lambda < 1.0 && mu > 0.0 && mu < 1.0;
   }
 
-  void add_complete(const Row& w, std::vector<OraclePoint>& map) const {
-    for (const double side : {1.0, -1.0})
-      for (std::size_t i = 0; i < arcs_.size(); ++i) {
-        if (w[i] <= 0.0 || pw_[i] <= 0.5 || mass_[i] <= o_.strict_p) continue;
-        const double a = side * o_.zone * std::sqrt(o_.wavelength_m * arcs_[i].r / 2.0);
-        map.push_back(point(i, PointLabel::zone));
-        map.back().p = map.back().p + a * perpendicular(normal(i));
+  // F
+  void add_zones(const Row& w, double least_p, std::vector<OraclePoint>& map) const {
+    const auto free = [&](Vec2 p) {
+      return std::ranges::none_of(map, [&](const OraclePoint& q) { return norm(q.p - p) <= o_.link_step_m; });
+    };
+    std::vector<std::pair<double, OraclePoint>> zones;
+    for (std::size_t i = 0; i < arcs_.size(); ++i) {
+      if (w[i] <= 0.0 || mass_[i] <= least_p) continue;
+      const double reach = o_.zone * std::sqrt(o_.wavelength_m * arcs_[i].r / 2.0);
+      for (const double along : {reach, -reach}) {
+        OraclePoint zone = point(i, PointLabel::zone);
+        zone.p = pw_[i] > 0.5 ? zone.p + along * perpendicular(normal(i)) : at(i, t_[i] + along / arcs_[i].r);
+        zone.bound_m = std::max(zone.bound_m, o_.zone_bound_m);
+        if (const double l = evidence(w, zone.p); l >= least_evidence() && free(zone.p)) zones.emplace_back(l, zone);
       }
+    }
+    std::ranges::stable_sort(zones, std::greater<>{}, [](const auto& zone) { return zone.first; });
+    for (const auto& [l, zone] : zones)
+      if (free(zone.p)) map.push_back(zone);
+  }
+
+  void add_weak(std::vector<OraclePoint>& map) const {
     Row likely;
     for (std::size_t i = 0; i < arcs_.size(); ++i)
       likely.push_back(mass_[i] > o_.weak_p && arcs_[i].r < o_.map_range_m ? 1.0 : 0.0);
-    const Row valid = validate(likely);
+    const Row valid = occupied(validate(likely));
     const std::vector<OraclePoint> shown = map;
     for (std::size_t i = 0; i < arcs_.size(); ++i) {
       bool covered = valid[i] <= 0.0;

@@ -120,7 +120,8 @@ TEST_P(ConsensusOnLine, ScoresAsInOneBatch) {
 
 INSTANTIATE_TEST_SUITE_P(RecordedDrives, ConsensusOnLine, testing::Values("run1", "run2", "run3"));
 
-/// Those of the independent program; ours were chosen on more logs and scenes (docs/methods/consensus.md).
+/// Those of the independent program; ours were chosen on more logs and scenes (docs/methods/consensus.md). Its zones
+/// and weak points follow other rules, so its mode complete is not compared.
 ConsensusOptions constants_of_the_reference() {
   ConsensusOptions options;
   options.independence = 0.25;
@@ -129,6 +130,13 @@ ConsensusOptions constants_of_the_reference() {
   options.accept_p = 0.4;
   options.blocked_ratio = 0.0;
   options.link_misses = no_misses;
+  // It ends at links: nothing but its own vote removes a point, and no zones.
+  options.search_beams = 0.75;
+  options.wider_growth = 1e6;
+  options.free_floor = 0.499;
+  options.occupied_threshold = 0.5;
+  options.link_m = 0.6;
+  options.zone = 0.0;
   return options;
 }
 
@@ -162,13 +170,10 @@ TEST_P(ConsensusScores, AreThoseOfTheReference) {
 INSTANTIATE_TEST_SUITE_P(RecordedDrives, ConsensusScores,
                          testing::Values(Published{"run1", ConsensusMode::strict, 0.988, 0.671},
                                          Published{"run1", ConsensusMode::balanced, 0.966, 0.689},
-                                         Published{"run1", ConsensusMode::complete, 0.958, 0.702},
                                          Published{"run2", ConsensusMode::strict, 0.954, 0.425},
                                          Published{"run2", ConsensusMode::balanced, 0.951, 0.456},
-                                         Published{"run2", ConsensusMode::complete, 0.932, 0.468},
                                          Published{"run3", ConsensusMode::strict, 0.938, 0.523},
-                                         Published{"run3", ConsensusMode::balanced, 0.946, 0.574},
-                                         Published{"run3", ConsensusMode::complete, 0.913, 0.619}));
+                                         Published{"run3", ConsensusMode::balanced, 0.946, 0.574}));
 
 }  // namespace
 }  // namespace echoarc

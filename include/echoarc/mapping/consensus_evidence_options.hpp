@@ -12,17 +12,15 @@ namespace echoarc {
 
 /// Options of `ConsensusEvidence`: those of a consensus up to its vote, and what a ping adds to the grid.
 struct ConsensusEvidenceOptions : ConsensusOptions {
-  ConsensusEvidenceOptions() { cell_m = 0.05; }
+  ConsensusEvidenceOptions() {
+    cell_m = 0.05;
+    spread_m = 0.10;  // to the centres of cells
+  }
 
-  double spread_m = 0.10;
-  double band_sigma_m = 0.02;
-  double occupied_peak = 0.85;
-  double free_floor = 0.25;
   double free_beam = 0.0;
   BeamProfile profile = BeamProfile::gaussian;
   double angular_sigma = 0.5;
   double no_echo_weight = 0.1;
-  double occupied_threshold = 0.65;
   double free_threshold = 0.35;
 
   static constexpr auto fields();
@@ -33,22 +31,6 @@ namespace detail {
 constexpr auto consensus_evidence_echo_fields() {
   using O = ConsensusEvidenceOptions;
   return std::tuple{
-      field(
-          "spread_m", &O::spread_m,
-          {.unit = "m",
-           .min = 0.0,
-           .max = 1.0,
-           .doc = "a place is as likely as the posterior within this of it, along the arc: a cell, and the least that "
-                  "reflects sound"}),
-      field("band_sigma_m", &O::band_sigma_m,
-            {.unit = "m",
-             .min = 0.001,
-             .max = 1.0,
-             .doc = "standard deviation of a range alone; the band is 4 of them deep, as that of `evidence`"}),
-      field("occupied_peak", &O::occupied_peak,
-            {.min = 0.501, .max = 0.999, .doc = "p(occupied) that an echo gives a cell it certainly came from"}),
-      field("free_floor", &O::free_floor,
-            {.min = 0.001, .max = 0.499, .doc = "p(occupied) that an echo gives a cell that its sound went through"}),
       field("free_beam", &O::free_beam,
             {.min = 0.0,
              .max = 1.0,
@@ -68,8 +50,6 @@ constexpr auto consensus_evidence_grid_fields() {
            .max = 1.0,
            .doc = "weight of silence against that of an echo when it clears, up to the sensor's trusted range: a wall "
                   "at a slant is silent, and of all directions a wall may have few are not"}),
-      field("occupied_threshold", &O::occupied_threshold,
-            {.min = 0.5, .max = 1.0, .doc = "a cell is occupied when p reaches this"}),
       field("free_threshold", &O::free_threshold,
             {.min = 0.0, .max = 0.5, .doc = "a cell is free when p does not exceed this"})};
 }
@@ -89,7 +69,7 @@ constexpr auto ConsensusEvidenceOptions::fields() {
       detail::consensus_evidence_echo_fields(), detail::consensus_evidence_grid_fields(),
       detail::inherited<O>(std::tuple_cat(detail::consensus_beam_fields(), detail::consensus_neighbour_fields(),
                                           detail::consensus_reading_fields(), detail::consensus_vote_fields(),
-                                          arc_fields<O>(), grid_fields<O>())));
+                                          detail::consensus_surface_fields(), arc_fields<O>(), grid_fields<O>())));
 }
 
 }  // namespace echoarc

@@ -37,8 +37,9 @@ struct ConsensusOptions {
   Angle thin_turn = degrees(1.0);
   double thin_range_m = 0.02;
 
-  double search_beams = 0.75;
+  double search_beams = 0.95;
   double sigma_beams = 0.4;
+  double wider_growth = 2.5;
   Angle step = degrees(1.0);
   int history = 500;
   double reach_m = 3.0;
@@ -47,15 +48,15 @@ struct ConsensusOptions {
   double range_sigma_m = 0.045;
   double clutter_m = 3.0;
   double detection = 0.6;
-  double independence = 0.2;
-  double facing = 0.25;
+  double independence = 0.22;
+  double facing = 0.3;
   Angle facing_angle = degrees(10.0);
   double free_margin_m = 0.10;
   int sweeps = 2;
 
   double tolerance_m = 0.12;
   double bound_least_m = 0.05;
-  double accept_p = 0.45;
+  double accept_p = 0.5;
   double strict_p = 0.7;
   double evidence = 0.3;
   double map_range_m = 3.0;
@@ -69,8 +70,13 @@ struct ConsensusOptions {
   double passed = 3.0;
   double passed_ratio = 2.0;
   int votes = 6;
+  double spread_m = 0.12;
+  double band_sigma_m = 0.02;
+  double occupied_peak = 0.85;
+  double free_floor = 0.25;
+  double occupied_threshold = 0.65;
 
-  double link_m = 0.6;
+  double link_m = 0.65;
   double complete_link_m = 0.8;
   double link_step_m = 0.05;
   int link_crossings = 2;
@@ -80,7 +86,9 @@ struct ConsensusOptions {
   double link_bound_m = 0.10;
   double link_decay_m = 4.0;
 
-  double zone = 1.5;
+  double zone = 1.2;
+  double zone_p = 0.9;
+  double zone_bound_m = 0.07;
   double wavelength_m = 0.007;
   double weak_p = 0.25;
   int settle_arcs = 100;
@@ -130,6 +138,13 @@ constexpr auto consensus_beam_fields() {
              .max = 10.0,
              .doc = "B: standard deviation of an echo's bearing, in beam widths; 7.8 to 11.7 degrees were measured "
                     "with beams of 20"}),
+      field(
+          "wider_growth", &O::wider_growth,
+          {.min = 1.0,
+           .max = 1e6,
+           .doc = "B: beams are taken for twice as wide as stated if the bearings of clear echoes then scatter by more "
+                  "than so many times as much: up to 2.2 was seen where they are as stated, 3 and more where not. "
+                  "1000000: never"}),
       field("step_deg", &O::step,
             {.unit = "deg",
              .min = 0.25,
@@ -194,7 +209,7 @@ constexpr auto consensus_reading_fields() {
       field("strict_p", &O::strict_p,
             {.min = 0.0,
              .max = 1.0,
-             .doc = "C: the same in mode strict; and zones grow in mode complete from walls above it"}),
+             .doc = "C: the same in mode strict; and zones grow in mode complete from points above it"}),
       field("evidence", &O::evidence,
             {.min = 0.0, .max = 100.0, .doc = "C: least log-likelihood of the best bearing against the beam alone"}),
       field("map_range_m", &O::map_range_m,
@@ -232,6 +247,28 @@ constexpr auto consensus_vote_fields() {
       field("votes", &O::votes, {.min = 1, .max = 100, .doc = "D: rounds of the vote, the last one hard"})};
 }
 
+constexpr auto consensus_surface_fields() {
+  using O = ConsensusOptions;
+  return std::tuple{
+      field("spread_m", &O::spread_m,
+            {.unit = "m",
+             .min = 0.0,
+             .max = 1.0,
+             .doc = "an echo speaks of places within this of where it came from, along the arc, and of those on the "
+                    "way: the least that reflects sound"}),
+      field("band_sigma_m", &O::band_sigma_m,
+            {.unit = "m",
+             .min = 0.001,
+             .max = 1.0,
+             .doc = "standard deviation of a range alone; the band is 4 of them deep, as that of `evidence`"}),
+      field("occupied_peak", &O::occupied_peak,
+            {.min = 0.501, .max = 0.999, .doc = "p(occupied) that an echo gives a place it certainly came from"}),
+      field("free_floor", &O::free_floor,
+            {.min = 0.001, .max = 0.499, .doc = "p(occupied) that an echo gives a place that its sound went through"}),
+      field("occupied_threshold", &O::occupied_threshold,
+            {.min = 0.5, .max = 0.999, .doc = "a place is occupied when p, of all echoes together, reaches this"})};
+}
+
 constexpr auto consensus_link_fields() {
   using O = ConsensusOptions;
   return std::tuple{
@@ -239,7 +276,11 @@ constexpr auto consensus_link_fields() {
             {.unit = "m", .min = 0.0, .max = 10.0, .doc = "E: longest gap that is closed. 0: none"}),
       field("complete_link_m", &O::complete_link_m,
             {.unit = "m", .min = 0.0, .max = 10.0, .doc = "E: the same in mode complete"}),
-      field("link_step_m", &O::link_step_m, {.unit = "m", .min = 0.001, .max = 10.0, .doc = "E: points of a link"}),
+      field("link_step_m", &O::link_step_m,
+            {.unit = "m",
+             .min = 0.001,
+             .max = 10.0,
+             .doc = "E, F: between the points of a link; between a zone and anything else"}),
       field("link_crossings", &O::link_crossings,
             {.min = 1, .max = 1'000'000, .doc = "E: so many rays through a gap keep it open"}),
       field("link_misses", &O::link_misses,
@@ -263,10 +304,14 @@ constexpr auto consensus_link_fields() {
       field("zone", &O::zone,
             {.min = 0.0,
              .max = 10.0,
-             .doc = "mode complete: walls reach so many radii of the first Fresnel zone to either side of an echo, the "
-                    "least that reflects it"}),
+             .doc = "F: surfaces reach so many radii of the first Fresnel zone to either side of an echo, the least "
+                    "that reflects it. 0: none; none in mode strict"}),
+      field("zone_p", &O::zone_p,
+            {.min = 0.0, .max = 1.0, .doc = "F: of points with p above this; in mode complete above strict_p"}),
+      field("zone_bound_m", &O::zone_bound_m,
+            {.unit = "m", .min = 0.0, .max = 10.0, .doc = "F: least 90 % bound of a zone's points"}),
       field("wavelength_m", &O::wavelength_m,
-            {.unit = "m", .min = 0.0, .max = 1.0, .doc = "mode complete: of the ping; 50 kHz in air"}),
+            {.unit = "m", .min = 0.0, .max = 1.0, .doc = "E, F: of the ping; 50 kHz in air"}),
       field("weak_p", &O::weak_p, {.min = 0.0, .max = 1.0, .doc = "mode complete: weak points have p above this"}),
       field("settle_arcs", &O::settle_arcs,
             {.unit = "arcs",
@@ -304,8 +349,9 @@ constexpr auto ConsensusOptions::fields() {
   using O = ConsensusOptions;
   return std::tuple_cat(detail::consensus_mode_fields(), detail::consensus_beam_fields(),
                         detail::consensus_neighbour_fields(), detail::consensus_reading_fields(),
-                        detail::consensus_vote_fields(), detail::consensus_link_fields(),
-                        detail::consensus_line_fields(), neighbour_fields<O>(), arc_fields<O>(), grid_fields<O>());
+                        detail::consensus_vote_fields(), detail::consensus_surface_fields(),
+                        detail::consensus_link_fields(), detail::consensus_line_fields(), neighbour_fields<O>(),
+                        arc_fields<O>(), grid_fields<O>());
 }
 
 }  // namespace echoarc

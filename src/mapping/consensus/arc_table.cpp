@@ -39,7 +39,7 @@ bool ArcTable::repeats(const Arc& arc, SensorId tx, SensorId rx) const {
 
 void ArcTable::add(EchoArc echo) {
   auto bins = std::ranges::find(bins_, echo.beam_width, &BeamBins::beam_width);
-  if (bins == bins_.end()) bins = bins_.insert(bins_.end(), make_bins(options_, echo.beam_width));
+  if (bins == bins_.end()) bins = bins_.insert(bins_.end(), make_bins(options_, prior_, echo.beam_width));
   echo.bins = std::uint32_t(bins - bins_.begin());
   last_[{echo.tx, echo.source.sensor}] = echoes_.size();
   headings_rad_.push_back(wrap(echo.arc.axis()).rad());
@@ -49,18 +49,34 @@ void ArcTable::add(EchoArc echo) {
   echoes_.push_back(echo);
 }
 
-ArcTable ArcTable::since(std::size_t from) const {
-  const auto rest = [&]<class T>(const std::vector<T>& all) {
-    return std::vector<T>(all.begin() + std::ptrdiff_t(from), all.end());
+void ArcTable::assume(const BeamPrior& prior) {
+  prior_ = prior;
+  for (BeamBins& bins : bins_) bins = make_bins(options_, prior_, bins.beam_width);
+  for (std::size_t i = 0; i < echoes_.size(); ++i)
+    half_lengths_m_[i] = bins(i).search_rad(options_.step) * echoes_[i].arc.range_m();
+}
+
+ArcTable ArcTable::part(std::size_t begin, std::size_t end) const {
+  const auto piece = [&]<class T>(const std::vector<T>& all) {
+    return std::vector<T>(all.begin() + std::ptrdiff_t(begin), all.begin() + std::ptrdiff_t(end));
   };
   ArcTable table(options_);
-  table.echoes_ = rest(echoes_);
-  table.headings_rad_ = rest(headings_rad_);
-  table.axes_ = rest(axes_);
-  table.middles_ = rest(middles_);
-  table.half_lengths_m_ = rest(half_lengths_m_);
+  table.prior_ = prior_;
+  table.echoes_ = piece(echoes_);
+  table.headings_rad_ = piece(headings_rad_);
+  table.axes_ = piece(axes_);
+  table.middles_ = piece(middles_);
+  table.half_lengths_m_ = piece(half_lengths_m_);
   table.bins_ = bins_;
   return table;
+}
+
+ArcTable ArcTable::since(std::size_t from) const {
+  return part(from, size());
+}
+
+ArcTable ArcTable::first(std::size_t count) const {
+  return part(0, count);
 }
 
 void ArcTable::forget(std::size_t count) {
@@ -75,6 +91,7 @@ void ArcTable::forget(std::size_t count) {
 }
 
 void ArcTable::save(ByteWriter& out) const {
+  out.put(prior_);
   out.put<std::uint64_t>(echoes_.size());
   for (const EchoArc& echo : echoes_) {
     out.put(echo.arc);
@@ -87,6 +104,9 @@ void ArcTable::save(ByteWriter& out) const {
 }
 
 bool ArcTable::restore(ByteReader& in) {
+  prior_ = in.get<BeamPrior>();
+  const auto is_width = [](double beams) { return beams >= 0.01 && beams <= 40.0; };
+  if (!is_width(prior_.sigma_beams) || !is_width(prior_.search_beams)) return false;
   const auto count = in.get<std::uint64_t>();
   for (std::uint64_t k = 0; k < count && in.ok(); ++k) {
     EchoArc echo;

@@ -32,13 +32,21 @@ struct EchoArc {
 /// The arcs that a consensus is sought of, thinned (step A), in the order of time.
 class ArcTable {
  public:
-  explicit ArcTable(const ConsensusOptions& options) : options_(options) {}
+  explicit ArcTable(const ConsensusOptions& options)
+      : options_(options), prior_{options.sigma_beams, options.search_beams} {}
+
+  /// What is assumed of every beam: at first what the options say.
+  [[nodiscard]] const BeamPrior& prior() const { return prior_; }
+  /// Posteriors found before are of no use with another prior.
+  void assume(const BeamPrior& prior);
 
   /// Whether a reading says the same as the last one kept of its sensors.
   [[nodiscard]] bool repeats(const Arc& arc, SensorId tx, SensorId rx) const;
   void add(EchoArc echo);
   /// The arcs from `from` on, on their own.
   [[nodiscard]] ArcTable since(std::size_t from) const;
+  /// The first `count` arcs, on their own.
+  [[nodiscard]] ArcTable first(std::size_t count) const;
   /// Forgets the first `count` arcs; those after them move up.
   void forget(std::size_t count);
 
@@ -63,7 +71,10 @@ class ArcTable {
   [[nodiscard]] bool restore(ByteReader& in);
 
  private:
+  [[nodiscard]] ArcTable part(std::size_t begin, std::size_t end) const;
+
   ConsensusOptions options_;
+  BeamPrior prior_;
   std::vector<EchoArc> echoes_;
   std::vector<double> headings_rad_;  // of the axes, in (-pi, pi]
   std::vector<Vec2> axes_;

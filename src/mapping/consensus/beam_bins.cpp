@@ -10,12 +10,12 @@
 
 namespace echoarc::consensus {
 
-BeamBins make_bins(const ConsensusOptions& options, Angle beam_width) {
+BeamBins make_bins(const ConsensusOptions& options, const BeamPrior& prior, Angle beam_width) {
   BeamBins bins;
   bins.beam_width = beam_width;
-  const Angle search = std::min(options.search_beams * beam_width, widest_search);
+  const Angle search = std::min(prior.search_beams * beam_width, widest_search);
   bins.half = std::max(1, int(std::lround(search / options.step)));
-  const double sigma_rad = std::max((options.sigma_beams * beam_width).rad(), 0.5 * options.step.rad());
+  const double sigma_rad = std::max((prior.sigma_beams * beam_width).rad(), 0.5 * options.step.rad());
   bins.sigma_rad = float(sigma_rad);
   const int blocks = (bins.count() + kernels::bin_block - 1) / kernels::bin_block;
   double sum = 0.0;

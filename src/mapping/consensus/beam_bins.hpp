@@ -13,6 +13,12 @@ namespace echoarc::consensus {
 /// Nothing is searched farther from a sensor's axis.
 inline constexpr Angle widest_search = degrees(45.0);
 
+/// What is assumed of a beam, in its stated widths.
+struct BeamPrior {
+  double sigma_beams = 0.0;   ///< standard deviation of an echo's bearing
+  double search_beams = 0.0;  ///< bearings searched to either side of the axis
+};
+
 /// The bearings t = -half ... half steps on which the echo of a beam is searched, and what the beam alone says of them.
 /// Vectors are filled up to whole blocks of the kernels.
 struct BeamBins {
@@ -33,6 +39,6 @@ struct BeamBins {
   [[nodiscard]] double search_rad(Angle step) const { return half * step.rad(); }
 };
 
-[[nodiscard]] BeamBins make_bins(const ConsensusOptions& options, Angle beam_width);
+[[nodiscard]] BeamBins make_bins(const ConsensusOptions& options, const BeamPrior& prior, Angle beam_width);
 
 }  // namespace echoarc::consensus

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "mapping/consensus/heard_beams.hpp"
 #include "mapping/consensus/intake.hpp"
 #include "mapping/consensus/on_line_map.hpp"
 #include "mapping/consensus/saved_history.hpp"
@@ -88,9 +89,11 @@ void Consensus::take(const Reading& reading) {
   ++counters_.used;
 }
 
-/// Steps B and C in one for the arcs below `end` that are not settled yet; what they told the last sweep.
+/// Steps B and C in one for the arcs below `end` that are not settled yet; what they told the last sweep. Arcs settle
+/// when there are more than those by which the beams are judged, so that what is assumed of them stays as it was.
 consensus::SweptRows Consensus::settle(std::size_t end, Executor& executor) {
   consensus::History& history = state_->history;
+  if (history.settled == 0) history.arcs.assume(heard_beams(history.arcs, options_));
   history.estimates.resize(std::max(history.estimates.size(), end));
   consensus::SweptRows swept = consensus::find_posteriors(
       history.arcs, options_, history.settled, end, executor,
@@ -177,6 +180,8 @@ std::vector<Tally> Consensus::tallies() const {
     ++tallies[std::size_t(std::ranges::find(labels, point.label) - labels.begin())].count;
   const auto provisional = std::ranges::count_if(map_.beliefs(), &PointBelief::provisional);
   tallies.push_back({"points_provisional", std::uint64_t(provisional)});
+  const double times = state_->history.arcs.prior().sigma_beams / options_.sigma_beams;
+  tallies.push_back({"beams_taken_for_times_as_wide", std::uint64_t(std::lround(times))});
   return tallies;
 }
 
@@ -196,9 +201,7 @@ Trace Consensus::trace(const Reading& reading) const {
   find_neighbours(recent, options_, own, own, neighbours);
   const EchoEstimate estimate =
       read_out(recent[own], recent.bins(own), options_, estimator.estimate(own, neighbours, {&rows, 0, true}));
-  const double least_p = options_.mode == ConsensusMode::strict ? options_.strict_p : options_.accept_p;
-  const bool shown = echo->arc.range_m() < options_.map_range_m && estimate.p > least_p;
-  if (shown && estimate.evidence > options_.evidence)
+  if (is_believed(recent[own], options_, estimate))
     trace.points.push_back(element_of(recent, own, estimate.t).position);
   return trace;
 }
@@ -208,7 +211,9 @@ bool Consensus::supports(const Reading& reading, Vec2 position) const {
   const auto echo = echo_of(reading, options_, ignored);
   if (!echo || std::abs(echo->arc.half_path_m(position) - echo->arc.range_m()) > eps_length_m) return false;
   const Angle off_axis = wrap(bearing(consensus::normal_through(echo->arc, position)) - echo->arc.axis());
-  return abs(off_axis) <= std::min(options_.search_beams * echo->beam_width, consensus::widest_search) + options_.step;
+  return abs(off_axis) <=
+         std::min(state_->history.arcs.prior().search_beams * echo->beam_width, consensus::widest_search) +
+             options_.step;
 }
 
 std::vector<std::byte> Consensus::save() const {

@@ -34,7 +34,7 @@ class ConsensusEvidence::State {
         shown(geometry_of(o), memory_limit_bytes(o) / 8 * 3) {}
 
   /// Makes the tiles under a rim exist; false if that cannot be.
-  [[nodiscard]] bool make_room(const Arc& rim) {
+  [[nodiscard]] static bool make_room(const Arc& rim, Map& grid) {
     if (!within_reach(rim, grid.geometry(), grid.memory_limit_bytes())) return false;
     Box box = rim.bounds();
     const Vec2 apex = rim.centre();
@@ -42,28 +42,30 @@ class ConsensusEvidence::State {
     box.high = {std::max(box.high.x, apex.x), std::max(box.high.y, apex.y)};
     return grid.ensure_cells(grid.geometry().cells_of(box));
   }
+  [[nodiscard]] bool make_room(const Arc& rim) { return make_room(rim, grid); }
 
   void take_echo(const EchoArc& echo, const Reading& reading, InsertCounters& counters);
   void take_silence(const Reading& reading, InsertCounters& counters);
-  /// Feeds an arc into a grid: one that took part in the vote and was not found to be an outlier.
-  void feed(const EchoArc& echo, const consensus::BeamBins& bins, const WaitingArc& waiting, Map& into) {
-    if (waiting.verdict != Verdict::kept) return;
-    consensus::apply(echo_beam(echo, bins, waiting.posterior, waiting.near_m, options), raster, into);
+  /// Feeds an arc into a grid: one that took part in the vote and was not found to be an outlier. What became of it.
+  Verdict feed(const EchoArc& echo, const consensus::BeamBins& bins, const WaitingArc& waiting, Map& into) {
+    if (waiting.verdict != Verdict::kept) return waiting.verdict;
+    const EvidenceBeam beam = echo_beam(echo, bins, waiting.posterior, waiting.near_m, options);
+    if (!make_room(beam.rim, into)) return Verdict::crowded_out;
+    consensus::apply(beam, raster, into);
+    return Verdict::kept;
   }
   /// What a reading would say if it came next; none if nothing.
   [[nodiscard]] std::optional<EvidenceBeam> beam_of(const Reading& reading) const;
   void advance(Executor& executor) {
     window.advance(executor, [&](const EchoArc& echo, const consensus::BeamBins& bins, const WaitingArc& waiting) {
-      ++verdicts[std::size_t(waiting.verdict)];
-      feed(echo, bins, waiting, grid);
+      ++verdicts[std::size_t(feed(echo, bins, waiting, grid))];
     });
   }
   void show(Executor& executor) {
     shown = grid;
     shown_verdicts = verdicts;
     window.visit_open(executor, [&](const EchoArc& echo, const consensus::BeamBins& bins, const WaitingArc& waiting) {
-      ++shown_verdicts[std::size_t(waiting.verdict)];
-      feed(echo, bins, waiting, shown);
+      ++shown_verdicts[std::size_t(feed(echo, bins, waiting, shown))];
     });
   }
 
@@ -72,8 +74,8 @@ class ConsensusEvidence::State {
   SectorRaster raster;
   Map grid;   // silence, and the arcs that have left the window
   Map shown;  // with those that have not
-  std::array<std::uint64_t, 3> verdicts{};
-  std::array<std::uint64_t, 3> shown_verdicts{};
+  std::array<std::uint64_t, consensus::verdict_count> verdicts{};
+  std::array<std::uint64_t, consensus::verdict_count> shown_verdicts{};
 };
 
 void ConsensusEvidence::State::take_echo(const EchoArc& echo, const Reading& reading, InsertCounters& counters) {
@@ -82,7 +84,7 @@ void ConsensusEvidence::State::take_echo(const EchoArc& echo, const Reading& rea
     ++counters.passed_over;
     return;
   }
-  const auto rim = rim_of(echo, consensus::make_bins(options, echo.beam_width), options);
+  const auto rim = rim_of(echo, consensus::make_bins(options, arcs.prior(), echo.beam_width), options);
   if (!rim) {
     ++counters.no_arc;
     return;
@@ -145,7 +147,8 @@ std::vector<Tally> ConsensusEvidence::tallies() const {
   const auto count = [&](Verdict verdict) { return state_->shown_verdicts[std::size_t(verdict)]; };
   return {{"arcs_believed", count(Verdict::kept)},
           {"arcs_unsure", count(Verdict::unsure)},
-          {"arcs_voted_out", count(Verdict::outlier)}};
+          {"arcs_voted_out", count(Verdict::outlier)},
+          {"arcs_without_memory", count(Verdict::crowded_out)}};
 }
 
 /// With the newest arcs as its past, as if the reading came next.
@@ -153,8 +156,9 @@ std::optional<EvidenceBeam> ConsensusEvidence::State::beam_of(const Reading& rea
   InsertCounters ignored;
   if (!echo_range_m(reading.outcome)) return consensus::silence_beam(reading, options);
   const auto echo = consensus::echo_of(reading, options, ignored);
-  if (!echo || !rim_of(*echo, consensus::make_bins(options, echo->beam_width), options)) return std::nullopt;
   const consensus::ArcTable& arcs = window.arcs();
+  if (!echo || !rim_of(*echo, consensus::make_bins(options, arcs.prior(), echo->beam_width), options))
+    return std::nullopt;
   consensus::ArcTable recent = arcs.since(arcs.size() - std::min(arcs.size(), std::size_t(options.history)));
   recent.add(*echo);
   const std::size_t own = recent.size() - 1;
@@ -196,7 +200,7 @@ bool ConsensusEvidence::supports(const Reading& reading, Vec2 position) const {
   InsertCounters ignored;
   const auto echo = consensus::echo_of(reading, options_, ignored);
   if (!echo) return false;
-  const consensus::BeamBins bins = consensus::make_bins(options_, echo->beam_width);
+  const consensus::BeamBins bins = consensus::make_bins(options_, state_->window.arcs().prior(), echo->beam_width);
   const auto rim = rim_of(*echo, bins, options_);
   if (!rim) return false;
   const GridGeometry& geometry = state_->grid.geometry();

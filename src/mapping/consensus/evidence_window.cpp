@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mapping/consensus/evidence_beam.hpp"
+#include "mapping/consensus/heard_beams.hpp"
 #include "mapping/consensus/validation.hpp"
 
 namespace echoarc::consensus {
@@ -39,6 +40,7 @@ void EvidenceWindow::add(const EchoArc& echo, double near_m, Vec2 robot) {
 /// Steps B and C of the arcs below `end` whose posterior is not final.
 void EvidenceWindow::weigh(std::size_t end, Executor& executor) {
   if (known_ >= end) return;
+  if (known_ == 0) arcs_.assume(heard_beams(arcs_, options_));
   find_posteriors(arcs_, options_, known_, end, executor, [&](std::size_t i, const Posterior& posterior) {
     waiting_[i].estimate = read_out(arcs_[i], arcs_.bins(i), options_, posterior);
     waiting_[i].posterior = mixture(posterior);
@@ -54,9 +56,7 @@ void EvidenceWindow::vote(std::size_t end) {
     const EchoEstimate& estimate = waiting.estimate;
     path.push_back(waiting.robot);
     waiting.verdict = Verdict::unsure;
-    if (arcs_[i].arc.range_m() < options_.map_range_m && estimate.p > options_.accept_p &&
-        estimate.evidence > options_.evidence)
-      elements.push_back(element_of(arcs_, i, estimate.t));
+    if (is_believed(arcs_[i], options_, estimate)) elements.push_back(element_of(arcs_, i, estimate.t));
   }
   const std::vector<bool> valid = validate(arcs_, options_, elements, path);
   for (std::size_t k = 0; k < elements.size(); ++k)

@@ -15,10 +15,12 @@ namespace echoarc::consensus {
 
 /// What the vote of the rays (step D) says of an arc.
 enum class Verdict : std::uint8_t {
-  unsure,   ///< its estimate is too weak to have a say
-  kept,     ///< it took part, and stayed
-  outlier,  ///< it took part, and lost
+  unsure,       ///< its estimate is too weak to have a say
+  kept,         ///< it took part, and stayed
+  outlier,      ///< it took part, and lost
+  crowded_out,  ///< it stayed, but the grid has no room for its beam, which turned out wider than stated
 };
+inline constexpr std::size_t verdict_count = 4;
 
 /// An arc beside its geometry: what the grid needs of its reading, and what is known of its bearing.
 struct WaitingArc {

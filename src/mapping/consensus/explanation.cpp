@@ -7,6 +7,7 @@
 
 #include "echoarc/mapping/consensus_explanation.hpp"
 #include "mapping/consensus/ellipse_pair.hpp"
+#include "mapping/consensus/heard_beams.hpp"
 #include "mapping/consensus/intake.hpp"
 #include "mapping/consensus/read_out.hpp"
 
@@ -115,6 +116,7 @@ Result<EchoExplanation> explain_echo(std::span<const Reading> readings, const Co
     if (is_wanted) own = arcs.size();
     arcs.add(*echo);
   }
+  arcs.assume(heard_beams(arcs, options));
   return consensus::explain(arcs, options, own, executor);
 }
 

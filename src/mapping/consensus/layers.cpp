@@ -8,43 +8,29 @@
 #include <utility>
 
 #include "mapping/consensus/point_finder.hpp"
+#include "mapping/consensus/surface_evidence.hpp"
 #include "mapping/consensus/validation.hpp"
+#include "mapping/consensus/zones.hpp"
 
 namespace echoarc::consensus {
 namespace {
 
-constexpr double finder_cell_m = 0.25;
-
-/// The elements of arcs near enough whose estimate is good enough, after the vote.
+/// The elements of the estimates that are good enough, after the vote, where their echoes together speak for a surface.
 template <class Good>
 std::vector<Element> voted(const ArcTable& arcs, const ConsensusOptions& options,
                            std::span<const EchoEstimate> estimates, std::span<const Vec2> path, Good good) {
   std::vector<Element> elements;
   for (std::size_t i = 0; i < estimates.size(); ++i)
-    if (arcs[i].arc.range_m() < options.map_range_m && good(estimates[i]))
-      elements.push_back(element_of(arcs, i, estimates[i].t));
+    if (good(arcs[i], estimates[i])) elements.push_back(element_of(arcs, i, estimates[i].t));
   const std::vector<bool> valid = validate(arcs, options, elements, path);
-  std::vector<Element> kept;
+  std::vector<Element> rays;
   for (std::size_t k = 0; k < elements.size(); ++k)
-    if (valid[k]) kept.push_back(elements[k]);
+    if (valid[k]) rays.push_back(elements[k]);
+  const std::vector<double> evidence = surface_evidence(arcs, options, estimates, rays, positions_of(rays));
+  std::vector<Element> kept;
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    if (evidence[k] >= least_evidence(options)) kept.push_back(rays[k]);
   return kept;
-}
-
-/// What a certain wall must reach to for its echo to be heard: so many radii of the first Fresnel zone,
-/// sqrt(lambda r/2), to either side.
-std::vector<Element> zones_of(const ArcTable& arcs, const ConsensusOptions& options,
-                              std::span<const EchoEstimate> estimates, std::span<const Element> accepted) {
-  std::vector<Element> zones;
-  for (const double side : {1.0, -1.0})
-    for (const Element& element : accepted) {
-      const EchoEstimate& estimate = estimates[element.echo];
-      if (estimate.wall_share <= 0.5 || estimate.p <= options.strict_p) continue;
-      const double range_m = arcs[element.echo].arc.range_m();
-      const double radius_m = options.zone * std::sqrt(0.5 * options.wavelength_m * range_m);
-      zones.push_back(
-          {element.echo, element.position + side * radius_m * perpendicular(element.normal), element.normal});
-    }
-  return zones;
 }
 
 /// Calls `put(position, share)` for the points of a link between its ends, `share` of the way along.
@@ -56,24 +42,29 @@ void along_link(const Link& link, std::span<const Element> elements, double step
   for (double m = 1.0; m < pieces; ++m) put(begin + (m / pieces) * way, m / pieces);
 }
 
+/// Where the map has points: at elements, along links, in zones.
+std::vector<Vec2> places_shown(const Layers& layers, const ConsensusOptions& options) {
+  std::vector<Vec2> shown = positions_of(layers.accepted);
+  for (const Link& link : layers.links)
+    along_link(link, layers.accepted, options.link_step_m, [&](Vec2 p, double) { shown.push_back(p); });
+  for (const Element& zone : layers.zones) shown.push_back(zone.position);
+  return shown;
+}
+
 /// Weak elements where the map has nothing within `tolerance_m`.
 std::vector<Element> weak_of(const ArcTable& arcs, const ConsensusOptions& options,
                              std::span<const EchoEstimate> estimates, std::span<const Vec2> path,
-                             const Layers& layers) {
-  std::vector<Vec2> shown;
-  for (const Element& element : layers.accepted) shown.push_back(element.position);
-  for (const Element& zone : layers.zones) shown.push_back(zone.position);
-  for (const Link& link : layers.links)
-    along_link(link, layers.accepted, options.link_step_m, [&](Vec2 p, double) { shown.push_back(p); });
-  const PointFinder finder(shown, finder_cell_m);
-  std::vector<Element> weak;
-  for (const Element& element :
-       voted(arcs, options, estimates, path, [&](const EchoEstimate& e) { return e.p > options.weak_p; })) {
+                             std::span<const Vec2> shown) {
+  const PointFinder finder(shown);
+  std::vector<Element> weak = voted(arcs, options, estimates, path, [&](const EchoArc& echo, const EchoEstimate& e) {
+    return echo.arc.range_m() < options.map_range_m && e.p > options.weak_p;
+  });
+  std::erase_if(weak, [&](const Element& element) {
     bool covered = false;
     finder.near(element.position, options.tolerance_m,
                 [&](std::size_t k) { covered = covered || norm(shown[k] - element.position) <= options.tolerance_m; });
-    if (!covered) weak.push_back(element);
-  }
+    return covered;
+  });
   return weak;
 }
 
@@ -81,15 +72,16 @@ std::vector<Element> weak_of(const ArcTable& arcs, const ConsensusOptions& optio
 
 Layers build_layers(const ArcTable& arcs, const ConsensusOptions& options, std::span<const EchoEstimate> estimates,
                     std::span<const Vec2> path, std::span<const Look> looks) {
-  const double least_p = options.mode == ConsensusMode::strict ? options.strict_p : options.accept_p;
   const bool complete = options.mode == ConsensusMode::complete;
   Layers layers;
-  layers.accepted = voted(arcs, options, estimates, path,
-                          [&](const EchoEstimate& e) { return e.p > least_p && e.evidence > options.evidence; });
+  layers.accepted = voted(arcs, options, estimates, path, [&](const EchoArc& echo, const EchoEstimate& estimate) {
+    return is_believed(echo, options, estimate);
+  });
   layers.links = find_links(arcs, options, layers.accepted, looks, complete ? options.complete_link_m : options.link_m);
-  if (!complete) return layers;
-  layers.zones = zones_of(arcs, options, estimates, layers.accepted);
-  layers.weak = weak_of(arcs, options, estimates, path, layers);
+  if (options.mode == ConsensusMode::strict) return layers;
+  layers.zones = find_zones(arcs, options, estimates, layers.accepted, places_shown(layers, options),
+                            complete ? options.strict_p : options.zone_p);
+  if (complete) layers.weak = weak_of(arcs, options, estimates, path, places_shown(layers, options));
   return layers;
 }
 
@@ -105,14 +97,16 @@ class LayerWriter {
         estimates_(estimates),
         accepted_(accepted),
         positions_(positions_of(accepted)),
-        finder_(positions_, finder_cell_m) {}
+        finder_(positions_) {}
 
   void put(const Element& element, PointLabel label) {
     const EchoArc& echo = arcs_[element.echo];
     const EchoEstimate& estimate = estimates_[element.echo];
     support_.assign(1, echo.source.ping);
     if (label != PointLabel::weak) add_companions(element);
-    add(element.position, label, estimate.bound_m, element.echo, {-element.normal, estimate.p, false});
+    const double bound_m =
+        label == PointLabel::zone ? std::max(estimate.bound_m, options_.zone_bound_m) : estimate.bound_m;
+    add(element.position, label, bound_m, element.echo, {-element.normal, estimate.p, false});
   }
 
   void put(const Link& link) {
@@ -151,21 +145,14 @@ class LayerWriter {
   [[nodiscard]] PointMap take() && { return std::move(map_); }
 
  private:
-  static std::vector<Vec2> positions_of(std::span<const Element> elements) {
-    std::vector<Vec2> positions;
-    for (const Element& element : elements) positions.push_back(element.position);
-    return positions;
-  }
-
   /// The pings of the elements that supported this one in the vote, oldest first; of many the first.
   void add_companions(const Element& element) {
     constexpr std::size_t most = 16;
-    constexpr double same_side = 0.5;
     companions_.clear();
     finder_.near(element.position, options_.element_m, [&](std::size_t k) {
       const Element& other = accepted_[k];
       if (other.echo != element.echo && norm(other.position - element.position) <= options_.element_m &&
-          dot(other.normal, element.normal) > same_side)
+          same_side(other, element))
         companions_.push_back(arcs_[other.echo].source.ping);
     });
     std::ranges::sort(companions_);

@@ -15,11 +15,11 @@ namespace echoarc::consensus {
 struct Layers {
   std::vector<Element> accepted;  ///< walls and points
   std::vector<Link> links;        ///< between accepted elements
-  std::vector<Element> zones;     ///< both ends of each Fresnel zone, moved there
+  std::vector<Element> zones;     ///< of the echo they grow from, moved there
   std::vector<Element> weak;
 };
 
-/// Steps C to E from the estimates on, one an arc.
+/// Steps C to F from the estimates on, one an arc.
 [[nodiscard]] Layers build_layers(const ArcTable& arcs, const ConsensusOptions& options,
                                   std::span<const EchoEstimate> estimates, std::span<const Vec2> path,
                                   std::span<const Look> looks);

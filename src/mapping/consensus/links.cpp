@@ -13,8 +13,6 @@
 namespace echoarc::consensus {
 namespace {
 
-constexpr double finder_cell_m = 0.25;
-
 struct Candidate {
   std::size_t element = 0;
   double distance_m = 0.0;
@@ -61,13 +59,17 @@ bool meet(Vec2 a, Vec2 a_to, Vec2 b, Vec2 b_to) {
   return along_a > 0.0 && along_a < 1.0 && along_b > 0.0 && along_b < 1.0;
 }
 
-/// How many rays go through each gap; their last piece does not count, nor do short ones.
-std::vector<int> crossings(const ArcTable& arcs, const ConsensusOptions& options, std::span<const Element> elements,
-                           std::span<const Link> links, double gap_m) {
+std::vector<Vec2> middles_of(std::span<const Element> elements, std::span<const Link> links) {
   std::vector<Vec2> middles;
   for (const Link& link : links)
     middles.push_back(0.5 * (elements[link.first].position + elements[link.second].position));
-  const PointFinder finder(middles, finder_cell_m);
+  return middles;
+}
+
+/// How many rays go through each gap; their last piece does not count, nor do short ones.
+std::vector<int> crossings(const ArcTable& arcs, const ConsensusOptions& options, std::span<const Element> elements,
+                           std::span<const Link> links, double gap_m) {
+  const PointFinder finder(middles_of(elements, links));
   std::vector<int> counts(links.size(), 0);
   for (const Element& element : elements) {
     const Arc& arc = arcs[element.echo].arc;
@@ -102,10 +104,7 @@ int testimony(const Look& look, Vec2 begin, Vec2 way, const ConsensusOptions& op
 /// By link: whether looks deny it.
 std::vector<bool> denied(const ConsensusOptions& options, std::span<const Element> elements,
                          std::span<const Look> looks, std::span<const Link> links, double gap_m) {
-  std::vector<Vec2> middles;
-  for (const Link& link : links)
-    middles.push_back(0.5 * (elements[link.first].position + elements[link.second].position));
-  const PointFinder finder(middles, finder_cell_m);
+  const PointFinder finder(middles_of(elements, links));
   std::vector<int> misses(links.size(), 0);
   std::vector<int> hits(links.size(), 0);
   for (const Look& look : looks) {
@@ -128,9 +127,8 @@ std::vector<bool> denied(const ConsensusOptions& options, std::span<const Elemen
 std::vector<Link> find_links(const ArcTable& arcs, const ConsensusOptions& options, std::span<const Element> elements,
                              std::span<const Look> looks, double gap_m) {
   if (gap_m <= 0.0) return {};
-  std::vector<Vec2> positions;
-  for (const Element& element : elements) positions.push_back(element.position);
-  const PointFinder finder(positions, finder_cell_m);
+  const std::vector<Vec2> positions = positions_of(elements);
+  const PointFinder finder(positions);
   const std::vector<Link> links = candidates(elements, options.link_step_m, gap_m, finder);
   const std::vector<int> crossed = crossings(arcs, options, elements, links, gap_m);
   const std::vector<bool> missed = denied(options, elements, looks, links, gap_m);

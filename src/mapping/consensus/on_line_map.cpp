@@ -44,6 +44,12 @@ void add_wanted(const PointMap& from, const NewestArc& newest, Wanted wanted, Po
 
 constexpr std::size_t beside_new_arcs = 16;  // arcs before the new ones that vote on their points: two rings of sensors
 
+/// Zones fill what is left open when all else is shown: too early among a few new arcs.
+ConsensusOptions without_zones(ConsensusOptions options) {
+  options.zone = 0.0;
+  return options;
+}
+
 }  // namespace
 
 PointMap map_of(const History& history, const ConsensusOptions& options, std::size_t from) {
@@ -96,7 +102,7 @@ void OnLineMap::update(History& history, Executor& executor, PointMap& map) {
   if (count - renewed_ >= std::min(std::size_t(options_.renew_arcs), count / 4)) {
     renew(history, executor, map);
   } else {
-    const PointMap fresh = map_of(history, options_, known_ - std::min(known_, beside_new_arcs));
+    const PointMap fresh = map_of(history, without_zones(options_), known_ - std::min(known_, beside_new_arcs));
     add_points(fresh, history.arcs, known_, count, map);
   }
   known_ = count;

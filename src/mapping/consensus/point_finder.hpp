@@ -13,10 +13,13 @@
 
 namespace echoarc::consensus {
 
+/// Edge of the cells, for positions on surfaces that are looked for within decimetres.
+inline constexpr double finder_cell_m = 0.25;
+
 /// Positions sorted into square cells, to find those near a place or along a way. Holds indices, not positions.
 class PointFinder {
  public:
-  PointFinder(std::span<const Vec2> positions, double cell_m);
+  explicit PointFinder(std::span<const Vec2> positions, double cell_m = finder_cell_m);
 
   /// Calls `visit(index)` for at least every position within `reach_m` of `p`.
   template <class Visit>

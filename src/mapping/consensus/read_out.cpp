@@ -78,10 +78,27 @@ EchoEstimate read_out(const EchoArc& echo, const BeamBins& bins, const Consensus
   return estimate;
 }
 
+bool is_believed(const EchoArc& echo, const ConsensusOptions& options, const EchoEstimate& estimate) {
+  const double least_p = options.mode == ConsensusMode::strict ? options.strict_p : options.accept_p;
+  return echo.arc.range_m() < options.map_range_m && estimate.p > least_p && estimate.evidence > options.evidence;
+}
+
 Element element_of(const ArcTable& arcs, std::size_t i, Angle t) {
   const Arc& arc = arcs[i].arc;
   const Vec2 normal = unit(arc.axis() + t);
   return {i, touch_point(arc, normal), normal};
+}
+
+std::vector<Vec2> positions_of(std::span<const Element> elements) {
+  std::vector<Vec2> positions;
+  positions.reserve(elements.size());
+  for (const Element& element : elements) positions.push_back(element.position);
+  return positions;
+}
+
+bool same_side(const Element& a, const Element& b) {
+  constexpr double cos_60 = 0.5;
+  return dot(a.normal, b.normal) > cos_60;
 }
 
 }  // namespace echoarc::consensus

@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "mapping/consensus/posterior.hpp"
 
 namespace echoarc::consensus {
@@ -20,6 +23,10 @@ struct EchoEstimate {
 [[nodiscard]] EchoEstimate read_out(const EchoArc& echo, const BeamBins& bins, const ConsensusOptions& options,
                                     const Posterior& posterior);
 
+/// Whether the estimate is shown, and votes, if the vote does not remove it: near enough and, for the mode, sure
+/// enough.
+[[nodiscard]] bool is_believed(const EchoArc& echo, const ConsensusOptions& options, const EchoEstimate& estimate);
+
 /// A point of step C in the world.
 struct Element {
   std::size_t echo = 0;  ///< its arc, in the table
@@ -28,5 +35,8 @@ struct Element {
 };
 
 [[nodiscard]] Element element_of(const ArcTable& arcs, std::size_t i, Angle t);
+[[nodiscard]] std::vector<Vec2> positions_of(std::span<const Element> elements);
+/// Whether two elements may belong to one surface: their normals differ by less than 60 degrees.
+[[nodiscard]] bool same_side(const Element& a, const Element& b);
 
 }  // namespace echoarc::consensus

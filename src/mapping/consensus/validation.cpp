@@ -11,15 +11,7 @@
 namespace echoarc::consensus {
 namespace {
 
-constexpr double finder_cell_m = 0.25;
-constexpr double same_side = 0.5;     // n.n' of elements of one surface: within 60 degrees
 constexpr double least_facing = 0.2;  // u.n: a ray that grazes a surface proves nothing
-
-std::vector<Vec2> positions_of(std::span<const Element> elements) {
-  std::vector<Vec2> positions;
-  for (const Element& element : elements) positions.push_back(element.position);
-  return positions;
-}
 
 /// 1 for every element, 0 for those where the robot has been.
 std::vector<double> off_the_path(std::span<const Element> elements, std::span<const Vec2> path, double body_m) {
@@ -88,7 +80,7 @@ std::vector<Pair> companions(const ConsensusOptions& options, std::span<const El
     finder.near(elements[i].position, options.element_m, [&](std::size_t e) {
       const bool near = e > i && weights[e] > 0.0 &&
                         norm(elements[e].position - elements[i].position) <= options.element_m &&
-                        dot(elements[e].normal, elements[i].normal) > same_side;
+                        same_side(elements[e], elements[i]);
       if (near) found.push_back({std::uint32_t(i), std::uint32_t(e)});
     });
   }
@@ -101,7 +93,7 @@ std::vector<bool> validate(const ArcTable& arcs, const ConsensusOptions& options
                            std::span<const Vec2> path) {
   const std::vector<double> start = off_the_path(elements, path, options.body_m);
   const std::vector<Vec2> positions = positions_of(elements);
-  const PointFinder finder(positions, finder_cell_m);
+  const PointFinder finder(positions);
   const std::vector<Pair> crossed = crossings(arcs, options, elements, start, finder);
   const std::vector<Pair> beside = companions(options, elements, start, finder);
   std::vector<double> w = start;
@@ -114,10 +106,13 @@ std::vector<bool> validate(const ArcTable& arcs, const ConsensusOptions& options
       support[b] += w[a];
     }
     for (const auto& [ray, e] : crossed) passed[e] += w[ray];
-    for (const auto& [ray, e] : crossed) blocked[ray] += support[e] >= passed[e] ? w[e] : 0.0;
+    // A surface stands, and blocks, unless far more passes it than supports it. A mirror image behind it has as much
+    // support as the wall itself, nearly: to stand, support must not have to outweigh what passes.
+    const auto stands = [&](std::size_t e) { return passed[e] <= options.passed_ratio * support[e]; };
+    for (const auto& [ray, e] : crossed) blocked[ray] += stands(e) ? w[e] : 0.0;
     const bool last = vote + 1 == options.votes;
     for (std::size_t e = 0; e < w.size(); ++e) {
-      const bool voted_out = passed[e] >= options.passed && passed[e] > options.passed_ratio * support[e];
+      const bool voted_out = passed[e] >= options.passed && !stands(e);
       const bool outlier = blocked[e] >= options.blocked && blocked[e] > options.blocked_ratio * support[e];
       const double kept = !outlier && !voted_out ? start[e] : 0.0;
       w[e] = last ? kept : 0.5 * (w[e] + kept);

@@ -37,6 +37,11 @@ consensus::EchoArc ahead(double range_m) {
   return {Arc::circular({}, Angle{}, range_m, degrees(20.0)), {}, 0, degrees(20.0), 0};
 }
 
+/// Bearings of +-15 degrees.
+consensus::BeamBins bins_of(const consensus::EchoArc& echo, const ConsensusEvidenceOptions& options) {
+  return make_bins(options, {.sigma_beams = 0.4, .search_beams = 0.75}, echo.beam_width);
+}
+
 /// A posterior over +-15 degrees with all of its mass on some bearings.
 std::vector<float> posterior_on(std::initializer_list<int> bearings_deg) {
   std::vector<float> posterior(31, 0.0F);
@@ -51,7 +56,7 @@ double change(const EvidenceBeam& beam, double distance_m, double theta_deg) {
 TEST(ConsensusEvidence, WorkedNumbers) {
   const ConsensusEvidenceOptions options;
   const consensus::EchoArc echo = ahead(2.0);
-  const consensus::BeamBins bins = make_bins(options, echo.beam_width);
+  const consensus::BeamBins bins = bins_of(echo, options);
   ASSERT_EQ(bins.count(), 31);
   // 10 cm along an arc of 2 m are 2.9 degrees: two bins to either side.
   const EvidenceBeam sure = echo_beam(echo, bins, posterior_on({4}), 0.1, options);
@@ -78,7 +83,7 @@ TEST(ConsensusEvidence, AllOfTheBeamBecomesFreeOnRequest) {
   options.free_beam = 1.0;
   options.profile = BeamProfile::uniform;
   const consensus::EchoArc echo = ahead(2.0);
-  const EvidenceBeam beam = echo_beam(echo, make_bins(options, echo.beam_width), posterior_on({4}), 0.1, options);
+  const EvidenceBeam beam = echo_beam(echo, bins_of(echo, options), posterior_on({4}), 0.1, options);
   EXPECT_NEAR(change(beam, 1.0, -9.0), -1.0986, log_odds_unit);
   EXPECT_EQ(change(beam, 1.0, -12.0), 0.0) << "outside the beam, and the echo not from there";
 }
@@ -89,7 +94,7 @@ TEST(ConsensusEvidence, BistaticEchoRaisesWhereItsNormalPoints) {
   const auto arc = Arc::elliptical({{0.0, -0.2}, Angle{}}, {{0.0, 0.2}, Angle{}}, 1.0, degrees(20.0));
   ASSERT_TRUE(arc);
   const consensus::EchoArc echo{*arc, {}, 1, degrees(20.0), 0};
-  const EvidenceBeam beam = echo_beam(echo, make_bins(options, echo.beam_width), posterior_on({10}), 0.1, options);
+  const EvidenceBeam beam = echo_beam(echo, bins_of(echo, options), posterior_on({10}), 0.1, options);
   EXPECT_NEAR(increment(beam, touch_point(*arc, unit(degrees(10.0)))) * log_odds_unit, 1.7346, log_odds_unit);
   EXPECT_EQ(increment(beam, touch_point(*arc, unit(degrees(-10.0)))), 0);
 }
