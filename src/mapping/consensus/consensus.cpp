@@ -117,9 +117,9 @@ void Consensus::insert(std::span<const Reading> readings, Executor& executor) {
   state.fresh = state.fresh || !readings.empty();
   for (const Reading& reading : readings) {
     take(reading);
-    const std::size_t count = state.history.arcs.size();
-    if (count >= 2 * window(options_)) forget_oldest(executor);
-    if (count >= state.finished + settled_at_once + horizon(options_)) settle_full_pieces(executor);
+    const consensus::ArcTable& arcs = state.history.arcs;
+    if (arcs.size() >= 2 * window(options_)) forget_oldest(executor);
+    if (arcs.size() >= state.finished + settled_at_once + horizon(options_)) settle_full_pieces(executor);
   }
 }
 

@@ -61,8 +61,9 @@ std::vector<Element> weak_of(const ArcTable& arcs, const ConsensusOptions& optio
   });
   std::erase_if(weak, [&](const Element& element) {
     bool covered = false;
-    finder.near(element.position, options.tolerance_m,
-                [&](std::size_t k) { covered = covered || norm(shown[k] - element.position) <= options.tolerance_m; });
+    finder.near(element.position, options.tolerance_m, [&](std::size_t k) {
+      covered = covered || squared_norm(shown[k] - element.position) <= options.tolerance_m * options.tolerance_m;
+    });
     return covered;
   });
   return weak;
@@ -151,7 +152,8 @@ class LayerWriter {
     companions_.clear();
     finder_.near(element.position, options_.element_m, [&](std::size_t k) {
       const Element& other = accepted_[k];
-      if (other.echo != element.echo && norm(other.position - element.position) <= options_.element_m &&
+      if (other.echo != element.echo &&
+          squared_norm(other.position - element.position) <= options_.element_m * options_.element_m &&
           same_side(other, element))
         companions_.push_back(arcs_[other.echo].source.ping);
     });

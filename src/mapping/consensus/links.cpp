@@ -15,7 +15,7 @@ namespace {
 
 struct Candidate {
   std::size_t element = 0;
-  double distance_m = 0.0;
+  double squared_m2 = 0.0;  // of its distance
 };
 
 /// The nearest element to either side of the tangent of element `i`.
@@ -25,12 +25,12 @@ std::array<std::optional<Candidate>, 2> nearest_beside(std::span<const Element> 
   const Element& own = elements[i];
   finder.near(own.position, gap_m, [&](std::size_t k) {
     const Vec2 apart = elements[k].position - own.position;
-    const double distance_m = norm(apart);
+    const double squared_m2 = squared_norm(apart);
     const double along_m = cross(own.normal, apart);
-    if (distance_m <= least_m || distance_m > gap_m || along_m == 0.0) return;
+    if (squared_m2 <= least_m * least_m || squared_m2 > gap_m * gap_m || along_m == 0.0) return;
     auto& side = nearest[along_m > 0.0 ? 0 : 1];
-    const bool nearer = !side || distance_m < side->distance_m || (distance_m == side->distance_m && k < side->element);
-    if (nearer) side = Candidate{k, distance_m};
+    const bool nearer = !side || squared_m2 < side->squared_m2 || (squared_m2 == side->squared_m2 && k < side->element);
+    if (nearer) side = Candidate{k, squared_m2};
   });
   return nearest;
 }

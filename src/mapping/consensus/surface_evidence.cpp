@@ -28,14 +28,15 @@ class Testimony {
 
   /// The log-odds that it adds.
   [[nodiscard]] double of(Vec2 place) const {
-    const double distance_m = arc_.half_path_m(place);
-    const double e_m = distance_m - arc_.range_m();
-    if (e_m > band_m_) return 0.0;
-    const Vec2 n = normal_through(arc_, place);
-    const double aside_m = std::abs(cross(normal_, n)) * arc_.range_m();
-    if (aside_m > spread_m_ || dot(normal_, n) <= 0.0) return 0.0;
+    const Vec2 way = arc_.is_circular() ? place - arc_.centre() : arc_.half_path_m(place) * normal_through(arc_, place);
+    // Most places are too far beside it: that is seen without a root.
+    const double aside = cross(normal_, way) * arc_.range_m();
+    const double squared_m2 = squared_norm(way);
+    if (aside * aside > spread_m_ * spread_m_ * squared_m2 || dot(normal_, way) <= 0.0) return 0.0;
+    const double distance_m = std::sqrt(squared_m2);
     if (distance_m < free_to_m_) return free_;
-    return e_m >= -band_m_ ? log_odds(0.5 + amplitude_ * std::exp(-e_m * e_m * over_two_variance_)) : 0.0;
+    const double e_m = distance_m - arc_.range_m();
+    return std::abs(e_m) <= band_m_ ? log_odds(0.5 + amplitude_ * std::exp(-e_m * e_m * over_two_variance_)) : 0.0;
   }
 
  private:

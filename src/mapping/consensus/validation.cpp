@@ -20,7 +20,7 @@ std::vector<double> off_the_path(std::span<const Element> elements, std::span<co
   for (const Element& element : elements) {
     bool met = false;
     finder.near(element.position, body_m,
-                [&](std::size_t k) { met = met || norm(path[k] - element.position) < body_m; });
+                [&](std::size_t k) { met = met || squared_norm(path[k] - element.position) < body_m * body_m; });
     weights.push_back(met ? 0.0 : 1.0);
   }
   return weights;
@@ -78,9 +78,10 @@ std::vector<Pair> companions(const ConsensusOptions& options, std::span<const El
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (weights[i] <= 0.0) continue;
     finder.near(elements[i].position, options.element_m, [&](std::size_t e) {
-      const bool near = e > i && weights[e] > 0.0 &&
-                        norm(elements[e].position - elements[i].position) <= options.element_m &&
-                        same_side(elements[e], elements[i]);
+      const bool near =
+          e > i && weights[e] > 0.0 &&
+          squared_norm(elements[e].position - elements[i].position) <= options.element_m * options.element_m &&
+          same_side(elements[e], elements[i]);
       if (near) found.push_back({std::uint32_t(i), std::uint32_t(e)});
     });
   }

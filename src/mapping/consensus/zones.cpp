@@ -39,7 +39,7 @@ std::vector<Element> candidates(const ArcTable& arcs, const ConsensusOptions& op
 template <class Visit>
 void within(double room_m, Vec2 place, std::span<const Vec2> places, const PointFinder& finder, Visit visit) {
   finder.near(place, room_m, [&](std::size_t k) {
-    if (norm(places[k] - place) <= room_m) visit(k);
+    if (squared_norm(places[k] - place) <= room_m * room_m) visit(k);
   });
 }
 

@@ -19,7 +19,7 @@ Result<Log> read(std::string_view text) {
 }
 
 Result<Log> read_fixture() {
-  auto source = FileSource::open(std::string(ECHOARC_SOURCE_DIR) + "/tests/fixtures/logs/drive.clf");
+  auto source = FileSource::open(ECHOARC_SOURCE_DIR "/tests/fixtures/logs/drive.clf");
   return source ? read_carmen(**source) : Result<Log>(source.error());
 }
 

@@ -100,7 +100,7 @@ columns = [ { columns = [1, 2], quantity = "range", sensors = [0, 1] },
 
 TEST(Description, TheExamplesOfTheProjectRead) {
   for (const char* name : {"corridor", "garden", "scitos"}) {
-    const auto description = read_description(std::string(ECHOARC_SOURCE_DIR) + "/descriptions/" + name + ".toml");
+    const auto description = read_description(std::string(ECHOARC_SOURCE_DIR "/descriptions/") + name + ".toml");
     ASSERT_TRUE(description) << description.error().where << ": " << description.error().message;
     EXPECT_FALSE(description->robot.sensors.empty());
   }

@@ -14,7 +14,7 @@ namespace echoarc::io {
 namespace {
 
 Result<Log> read_fixture(const std::string& name) {
-  auto source = FileSource::open(std::string(ECHOARC_SOURCE_DIR) + "/tests/fixtures/logs/" + name);
+  auto source = FileSource::open(std::string(ECHOARC_SOURCE_DIR "/tests/fixtures/logs/") + name);
   if (!source) return source.error();
   return read_jsonl(**source);
 }

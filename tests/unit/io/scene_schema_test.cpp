@@ -14,7 +14,7 @@ namespace {
 
 TEST(SceneSchema, TheCommittedFileIsCurrent) {
   const std::string current = scene_schema();
-  if (test::contents(std::string(ECHOARC_SOURCE_DIR) + "/schema/scene.schema.json") == current) return;
+  if (test::contents(ECHOARC_SOURCE_DIR "/schema/scene.schema.json") == current) return;
   const std::string fresh = testing::TempDir() + "scene.schema.json";
   test::put(fresh, current);
   FAIL() << "schema/scene.schema.json is stale: copy " << fresh << " over it, then run scripts/fill_scene_tables.py";
