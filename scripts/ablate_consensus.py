@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The echoarc authors
 # SPDX-License-Identifier: Apache-2.0
-"""Maps the recorded corridor with tangent consensus, in each of its modes and without each of its parts, and writes the
-scores into docs/methods/consensus.md.
+"""Maps the recorded corridor with tangent consensus, in each of its modes, without each of its parts and with other
+constants, and with its grid form, and writes the scores into docs/methods/consensus.md and consensus_evidence.md.
 
 `ablate_consensus.py COMMAND DATA`: COMMAND is the built `echoarc`, DATA the folder that holds run1, run2, run3. The tables
 stand between `<!-- corridor:NAME -->` and `<!-- /corridor -->`.
 """
 
+import itertools
 import json
 import re
 import sys
@@ -15,7 +16,7 @@ from pathlib import Path
 
 from score_corridor import ROOT, RUNS, echoarc
 
-PAGE = ROOT / "docs" / "methods" / "consensus.md"
+PAGES = [ROOT / "docs" / "methods" / page for page in ("consensus.md", "consensus_evidence.md")]
 BLOCK = re.compile(r"(<!-- corridor:([a-z]+) -->\n).*?(<!-- /corridor -->)", re.S)
 KINDS = ("accuracy_10cm", "coverage", "thinned_accuracy_10cm", "thinned_coverage")
 
@@ -36,7 +37,21 @@ WITHOUT = {
     "half the neighbours, K = 48": ["neighbours=48"],
     "bearings within the nominal beam only": ["search_beams=0.5"],
     "no vote": ["blocked=1000000", "passed=1000000"],
+    "whatever the evidence of all echoes": ["occupied_threshold=0.5", "free_floor=0.499"],
     "no links": ["link_m=0"],
+    "no zones": ["zone=0"],
+}
+# What the constants chosen on logs might be as well.
+CANDIDATES = {"search_beams": (0.75, 0.95), "facing": (0.25, 0.3), "independence": (0.18, 0.22, 0.25),
+              "accept_p": (0.45, 0.5, 0.55)}
+# The grid form, and the evidence grid it is held against: one figure each, for a grid has one point a cell.
+GRIDS = {"`evidence`": ("evidence", []), "`consensus_evidence`": ("consensus_evidence", [])}
+GRID_OPTIONS = {
+    "`no_echo_weight` 0.5, as in `evidence`": ("consensus_evidence", ["consensus_evidence.no_echo_weight=0.5"]),
+    "`no_echo_weight` 0.05": ("consensus_evidence", ["consensus_evidence.no_echo_weight=0.05"]),
+    "`spread_m` 0.05": ("consensus_evidence", ["consensus_evidence.spread_m=0.05"]),
+    "`occupied_threshold` 0.8": ("consensus_evidence", ["consensus_evidence.occupied_threshold=0.8"]),
+    "`evidence` with `no_echo_weight` 0.1": ("evidence", ["evidence.no_echo_weight=0.1"]),
 }
 
 
@@ -71,11 +86,46 @@ def ablation(command: str, data: Path) -> str:
     return "\n".join(rows) + "\n"
 
 
+def held_out(command: str, data: Path) -> str:
+    """Each run with the candidates that are best, by the sum of accuracy and coverage per cell, on the other two."""
+    tried = {}
+    for values in itertools.product(*CANDIDATES.values()):
+        settings = [f"consensus.{name}={value}" for name, value in zip(CANDIDATES, values)]
+        tried[values] = [scores(command, data / run, "consensus", settings) for run in RUNS]
+    shipped = [scores(command, data / run, "consensus", []) for run in RUNS]
+    names = ", ".join(f"`{name}`" for name in CANDIDATES)
+    rows = [f"| run | {names} by the other two | with these: points; per 5 cm cell | as shipped |", "| --- |" + " --- |" * 3]
+    for left, run in enumerate(RUNS):
+        def worth(values: tuple[float, ...], left: int = left) -> float:
+            return sum(tried[values][k][kind] for k in range(len(RUNS)) if k != left for kind in KINDS[2:])
+        best = max(tried, key=worth)
+        figures = ["{:.3f} / {:.3f}; {:.3f} / {:.3f}".format(*(found[kind] for kind in KINDS))
+                   for found in (tried[best][left], shipped[left])]
+        rows.append(f"| {run[3:]} | " + ", ".join(f"{value:g}" for value in best) + " | " + " | ".join(figures) + " |")
+    return "\n".join(rows) + "\n"
+
+
+def grid_rows(command: str, data: Path, variants: dict[str, tuple[str, list[str]]]) -> str:
+    rows = ["| | run 1 | run 2 | run 3 |", "| --- |" + " ---: |" * 3]
+    for name, (method, settings) in variants.items():
+        runs = [scores(command, data / run, method, settings) for run in RUNS]
+        rows.append(f"| {name} | " + " | ".join("{:.3f} / {:.3f}".format(*(run[k] for k in KINDS[:2])) for run in runs) + " |")
+    return "\n".join(rows) + "\n"
+
+
+def grids(command: str, data: Path) -> str:
+    return grid_rows(command, data, GRIDS)
+
+
+def grid_options(command: str, data: Path) -> str:
+    return grid_rows(command, data, GRID_OPTIONS)
+
+
 def main() -> int:
     command, data = sys.argv[1], Path(sys.argv[2])
-    text = PAGE.read_text()
-    tables = {"modes": modes, "ablation": ablation}
-    PAGE.write_text(BLOCK.sub(lambda m: m[1] + tables[m[2]](command, data) + m[3], text))
+    tables = {"modes": modes, "ablation": ablation, "held": held_out, "grids": grids, "options": grid_options}
+    for page in PAGES:
+        page.write_text(BLOCK.sub(lambda m: m[1] + tables[m[2]](command, data) + m[3], page.read_text()))
     return 0
 
 

@@ -24,13 +24,14 @@ struct SweptRows;
 /// a pole lies on all of its arcs. Each bearing of an arc collects what its neighbours say for either hypothesis,
 /// weighted by what they know of themselves, and against it, where they looked through it. The likeliest bearings
 /// become points; rays that pass through well supported surfaces are outliers, surfaces that many rays pass through are
-/// removed, and gaps between neighbours are linked.
+/// removed, gaps between neighbours are linked, and certain points reach as far as their first Fresnel zone.
 ///
 /// An arc is compared with `history` arcs before and after it, so a new reading speaks to the newest `sweeps * history`
 /// arcs, and no longer to older ones. `finish` has two forms:
 ///
-/// - **whole**, if at least half of the arcs are new, or if no reading came since the last `finish`: all arcs are
-///   weighed as in one batch, and the map is that of a batch to the last bit, whatever `finish` did before.
+/// - **whole**, if at least half of the arcs are new, if no reading came since the last `finish`, or whenever the first
+///   `sweeps * history` arcs, by which the beams are judged, have doubled or are complete: all arcs are weighed as in
+///   one batch, and the map is that of a batch to the last bit, whatever `finish` did before.
 /// - **on line**, otherwise: the cost is that of the new arcs and does not grow with the map. A new arc is weighed
 ///   against those before it, and once more some time later; votes and links are renewed every `renew_arcs` arcs, over
 ///   the newest `vote_arcs`. Points of older arcs stay as they are until a whole `finish`.
@@ -55,7 +56,7 @@ class Consensus {
   void finish(Executor& executor);
   /// Walls and points, then links, the most certain first; then zones and weak points. Each has a belief. `bound_m`
   /// holds with 90 %. Walls, points: supported by the echo's ping, then by up to 15 of those beside it; links by their
-  /// ends; zones by their walls'.
+  /// ends; zones as their points.
   [[nodiscard]] const Map& map() const { return map_; }
   [[nodiscard]] Result<MapExport> export_map() const;
   [[nodiscard]] const InsertCounters& counters() const { return counters_; }

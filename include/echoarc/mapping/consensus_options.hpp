@@ -66,7 +66,7 @@ struct ConsensusOptions {
   double front_m = 0.05;
   double behind_m = 0.15;
   double blocked = 2.5;
-  double blocked_ratio = 0.5;
+  double blocked_ratio = 0.7;
   double passed = 3.0;
   double passed_ratio = 2.0;
   int votes = 6;

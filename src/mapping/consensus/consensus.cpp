@@ -28,6 +28,7 @@ class Consensus::State {
   consensus::History history;
   consensus::OnLineMap on_line;
   std::size_t finished = 0;      // arcs at the last `finish`
+  std::size_t weighed = 0;       // arcs when all were weighed in one, while the beams were judged
   std::size_t places = 0;        // of the robot's way, then
   std::size_t looks = 0;         // then
   bool fresh = false;            // readings came since
@@ -128,7 +129,9 @@ void Consensus::finish(Executor& executor) {
   const std::size_t count = state.history.arcs.size();
   const std::size_t added = count - state.finished;
   const bool mostly_new = 2 * added > count || 2 * added >= window(options_);
-  if (mostly_new || !state.fresh) {
+  // What is assumed of the beams goes by the first arcs: all are weighed again while they double, and when they are full.
+  const bool new_beams = state.history.settled == 0 && (count >= 2 * state.weighed || count > horizon(options_));
+  if (mostly_new || new_beams || !state.fresh) {
     if (!state.whole || added > 0) weigh_all(executor);
   } else {
     state.on_line.update(state.history, executor, map_);
@@ -151,6 +154,7 @@ void Consensus::weigh_all(Executor& executor) {
   truncate(map_, state.final_map);
   consensus::add_points(found, history.arcs, state.context, history.arcs.size(), map_);
   state.whole = true;
+  state.weighed = history.arcs.size();
 }
 
 /// Makes the points of all but the newest arcs final; of those arcs only the last stay, to speak for their neighbours.

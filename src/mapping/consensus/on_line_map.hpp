@@ -9,7 +9,7 @@
 
 namespace echoarc::consensus {
 
-/// Steps C to E over the arcs from `from` on, as if there were no others.
+/// Steps C to F over the arcs from `from` on, as if there were no others.
 [[nodiscard]] PointMap map_of(const History& history, const ConsensusOptions& options, std::size_t from);
 /// How much of a map, from its beginning.
 struct MapSize {
@@ -27,7 +27,7 @@ void add_points(const PointMap& from, const ArcTable& arcs, std::size_t first, s
 /// Keeps a whole map up to date with new arcs, at a cost that does not grow with the map.
 ///
 /// New arcs put their points at the end of the map. Every `renew_arcs` arcs (sooner while there are few) the map is
-/// renewed: arcs with half as many behind them are weighed again, steps D and E run over the newest `vote_arcs` and
+/// renewed: arcs with half as many behind them are weighed again, steps D to F run over the newest `vote_arcs` and
 /// those that came since, and the points of older arcs are kept as they then are.
 class OnLineMap {
  public:
