@@ -323,7 +323,7 @@ class ConsensusOracle {
       int through = 0;
       for (std::size_t i = 0; i < arcs_.size(); ++i)
         if (w[i] > 0.0 && arcs_[i].r >= o_.link_ray_m) through += passes(i, begin, way) ? 1 : 0;
-      if (through >= o_.link_crossings) continue;
+      if (through >= o_.link_crossings || std::max(mass_[a], mass_[b]) <= o_.link_p) continue;
       const double p = std::min(mass_[a], mass_[b]) * std::exp(-norm(way) / o_.link_decay_m);
       const int pieces = int(std::ceil(norm(way) / o_.link_step_m));
       for (int m = 1; m < pieces; ++m)

@@ -136,6 +136,7 @@ ConsensusOptions constants_of_the_reference() {
   options.free_floor = 0.499;
   options.occupied_threshold = 0.5;
   options.link_m = 0.6;
+  options.link_p = 0.0;
   options.zone = 0.0;
   return options;
 }

@@ -66,7 +66,7 @@ struct ConsensusOptions {
   double front_m = 0.05;
   double behind_m = 0.15;
   double blocked = 2.5;
-  double blocked_ratio = 0.7;
+  double blocked_ratio = 0.5;
   double passed = 3.0;
   double passed_ratio = 2.0;
   int votes = 6;
@@ -78,6 +78,7 @@ struct ConsensusOptions {
 
   double link_m = 0.65;
   double complete_link_m = 0.8;
+  double link_p = 0.7;
   double link_step_m = 0.05;
   int link_crossings = 2;
   int link_misses = 2;
@@ -88,7 +89,7 @@ struct ConsensusOptions {
 
   double zone = 1.2;
   double zone_p = 0.9;
-  double zone_bound_m = 0.07;
+  double zone_bound_m = 0.055;
   double wavelength_m = 0.007;
   double weak_p = 0.25;
   int settle_arcs = 100;
@@ -276,6 +277,12 @@ constexpr auto consensus_link_fields() {
             {.unit = "m", .min = 0.0, .max = 10.0, .doc = "E: longest gap that is closed. 0: none"}),
       field("complete_link_m", &O::complete_link_m,
             {.unit = "m", .min = 0.0, .max = 10.0, .doc = "E: the same in mode complete"}),
+      field(
+          "link_p", &O::link_p,
+          {.min = 0.0,
+           .max = 1.0,
+           .doc = "E: of the two ends of a link one has p above this: where arcs are few, unsure points are linked to "
+                  "unsure points all over the room"}),
       field("link_step_m", &O::link_step_m,
             {.unit = "m",
              .min = 0.001,

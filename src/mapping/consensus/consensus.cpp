@@ -185,7 +185,7 @@ std::vector<Tally> Consensus::tallies() const {
   const auto provisional = std::ranges::count_if(map_.beliefs(), &PointBelief::provisional);
   tallies.push_back({"points_provisional", std::uint64_t(provisional)});
   const double times = state_->history.arcs.prior().sigma_beams / options_.sigma_beams;
-  tallies.push_back({"beams_taken_for_times_as_wide", std::uint64_t(std::lround(times))});
+  tallies.push_back({"times_the_stated_beam", std::uint64_t(std::lround(times))});
   return tallies;
 }
 

@@ -42,6 +42,16 @@ void along_link(const Link& link, std::span<const Element> elements, double step
   for (double m = 1.0; m < pieces; ++m) put(begin + (m / pieces) * way, m / pieces);
 }
 
+/// The links of step E, but for those between two unsure ends: they are as likely as not two things.
+std::vector<Link> sure_links(const ArcTable& arcs, const ConsensusOptions& options,
+                             std::span<const EchoEstimate> estimates, std::span<const Element> accepted,
+                             std::span<const Look> looks, double gap_m) {
+  std::vector<Link> links = find_links(arcs, options, accepted, looks, gap_m);
+  const auto p = [&](std::uint32_t element) { return estimates[accepted[element].echo].p; };
+  std::erase_if(links, [&](const Link& link) { return std::max(p(link.first), p(link.second)) <= options.link_p; });
+  return links;
+}
+
 /// Where the map has points: at elements, along links, in zones.
 std::vector<Vec2> places_shown(const Layers& layers, const ConsensusOptions& options) {
   std::vector<Vec2> shown = positions_of(layers.accepted);
@@ -78,7 +88,8 @@ Layers build_layers(const ArcTable& arcs, const ConsensusOptions& options, std::
   layers.accepted = voted(arcs, options, estimates, path, [&](const EchoArc& echo, const EchoEstimate& estimate) {
     return is_believed(echo, options, estimate);
   });
-  layers.links = find_links(arcs, options, layers.accepted, looks, complete ? options.complete_link_m : options.link_m);
+  layers.links =
+      sure_links(arcs, options, estimates, layers.accepted, looks, complete ? options.complete_link_m : options.link_m);
   if (options.mode == ConsensusMode::strict) return layers;
   layers.zones = find_zones(arcs, options, estimates, layers.accepted, places_shown(layers, options),
                             complete ? options.strict_p : options.zone_p);

@@ -97,7 +97,7 @@ TEST(ConsensusBeams, WiderOnesFindThePoles) {
   EXPECT_GT(near_poles(wide.map()), near_poles(narrow.map()) + 0.1);
   const auto times = [](const Consensus& method) {
     const std::vector<Tally> tallies = method.tallies();
-    return std::ranges::find(tallies, "beams_taken_for_times_as_wide", &Tally::name)->count;
+    return std::ranges::find(tallies, "times_the_stated_beam", &Tally::name)->count;
   };
   EXPECT_EQ(times(wide), 2U);
   EXPECT_EQ(times(narrow), 1U);
