@@ -129,7 +129,8 @@ void Consensus::finish(Executor& executor) {
   const std::size_t count = state.history.arcs.size();
   const std::size_t added = count - state.finished;
   const bool mostly_new = 2 * added > count || 2 * added >= window(options_);
-  // What is assumed of the beams goes by the first arcs: all are weighed again while they double, and when they are full.
+  // What is assumed of the beams goes by the first arcs: all are weighed again while they double, and when they are
+  // full.
   const bool new_beams = state.history.settled == 0 && (count >= 2 * state.weighed || count > horizon(options_));
   if (mostly_new || new_beams || !state.fresh) {
     if (!state.whole || added > 0) weigh_all(executor);
