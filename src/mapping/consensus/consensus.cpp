@@ -29,6 +29,7 @@ class Consensus::State {
   consensus::OnLineMap on_line;
   std::size_t finished = 0;      // arcs at the last `finish`
   std::size_t weighed = 0;       // arcs when all were weighed in one, while the beams were judged
+  bool beams_known = false;      // for good
   std::size_t places = 0;        // of the robot's way, then
   std::size_t looks = 0;         // then
   bool fresh = false;            // readings came since
@@ -94,7 +95,8 @@ void Consensus::take(const Reading& reading) {
 /// when there are more than those by which the beams are judged, so that what is assumed of them stays as it was.
 consensus::SweptRows Consensus::settle(std::size_t end, Executor& executor) {
   consensus::History& history = state_->history;
-  if (history.settled == 0) history.arcs.assume(heard_beams(history.arcs, options_));
+  if (!state_->beams_known) history.arcs.assume(heard_beams(history.arcs, options_));
+  state_->beams_known = state_->beams_known || history.arcs.size() > horizon(options_);
   history.estimates.resize(std::max(history.estimates.size(), end));
   consensus::SweptRows swept = consensus::find_posteriors(
       history.arcs, options_, history.settled, end, executor,
@@ -131,7 +133,7 @@ void Consensus::finish(Executor& executor) {
   const bool mostly_new = 2 * added > count || 2 * added >= window(options_);
   // What is assumed of the beams goes by the first arcs: all are weighed again while they double, and when they are
   // full.
-  const bool new_beams = state.history.settled == 0 && (count >= 2 * state.weighed || count > horizon(options_));
+  const bool new_beams = !state.beams_known && (count >= 2 * state.weighed || count > horizon(options_));
   if (mostly_new || new_beams || !state.fresh) {
     if (!state.whole || added > 0) weigh_all(executor);
   } else {
@@ -243,6 +245,7 @@ Result<Consensus> Consensus::restore(std::span<const std::byte> bytes) {
   if (state.context > state.history.arcs.size() || !consensus::restore_final_map(in, method.map_) || !in.done())
     return damaged_state(name);
   state.final_map = consensus::size_of(method.map_);
+  state.beams_known = state.context > 0;
   InlineExecutor here;
   method.finish(here);
   return method;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -101,6 +102,31 @@ TEST(ConsensusBeams, WiderOnesFindThePoles) {
   };
   EXPECT_EQ(times(wide), 2U);
   EXPECT_EQ(times(narrow), 1U);
+}
+
+/// What the first arcs say holds when they are long forgotten, and the method is asked all the time.
+TEST(ConsensusBeams, AreJudgedOnce) {
+  ConsensusOptions options;
+  options.history = 100;
+  options.window_arcs = 1000;
+  std::vector<Reading> readings = along_poles();
+  ASSERT_GT(readings.size(), 1000U);
+  Rng rng(3);
+  for (Reading& reading : test::wall_drive(rng, 1000)) {
+    reading.ping = readings.size();
+    readings.push_back(reading);
+  }
+  for (const std::size_t step : {100, 100'000}) {
+    Consensus method(options);
+    InlineExecutor here;
+    for (std::size_t k = 0; k < readings.size(); k += step) {
+      method.insert(std::span(readings).subspan(k, std::min(step, readings.size() - k)), here);
+      method.finish(here);
+    }
+    ASSERT_GT(method.counters().used, 4 * std::uint64_t(options.window_arcs));
+    const std::vector<Tally> tallies = method.tallies();
+    EXPECT_EQ(std::ranges::find(tallies, "times_the_stated_beam", &Tally::name)->count, 2U) << step;
+  }
 }
 
 /// A restored method assumes of its beams what the saved one did.
