@@ -71,9 +71,7 @@ std::vector<Element> weak_of(const ArcTable& arcs, const ConsensusOptions& optio
   });
   std::erase_if(weak, [&](const Element& element) {
     bool covered = false;
-    finder.near(element.position, options.tolerance_m, [&](std::size_t k) {
-      covered = covered || squared_norm(shown[k] - element.position) <= options.tolerance_m * options.tolerance_m;
-    });
+    visit_within(shown, finder, element.position, options.tolerance_m, [&](std::size_t) { covered = true; });
     return covered;
   });
   return weak;
@@ -161,12 +159,9 @@ class LayerWriter {
   void add_companions(const Element& element) {
     constexpr std::size_t most = 16;
     companions_.clear();
-    finder_.near(element.position, options_.element_m, [&](std::size_t k) {
+    visit_within(positions_, finder_, element.position, options_.element_m, [&](std::size_t k) {
       const Element& other = accepted_[k];
-      if (other.echo != element.echo &&
-          squared_norm(other.position - element.position) <= options_.element_m * options_.element_m &&
-          same_side(other, element))
-        companions_.push_back(arcs_[other.echo].source.ping);
+      if (other.echo != element.echo && same_side(other, element)) companions_.push_back(arcs_[other.echo].source.ping);
     });
     std::ranges::sort(companions_);
     for (const PingId ping : companions_)

@@ -67,4 +67,12 @@ class PointFinder {
   std::vector<std::uint32_t> order_;   // indices, cell after cell
 };
 
+/// Calls `visit(index)` for the positions within `reach_m` of `p`, and for no others. `finder` is over `positions`.
+template <class Visit>
+void visit_within(std::span<const Vec2> positions, const PointFinder& finder, Vec2 p, double reach_m, Visit visit) {
+  finder.near(p, reach_m, [&](std::size_t k) {
+    if (squared_norm(positions[k] - p) <= reach_m * reach_m) visit(k);
+  });
+}
+
 }  // namespace echoarc::consensus

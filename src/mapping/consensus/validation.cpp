@@ -15,7 +15,7 @@ constexpr double least_facing = 0.2;  // u.n: a ray that grazes a surface proves
 
 /// 1 for every element, 0 for those where the robot has been.
 std::vector<double> off_the_path(std::span<const Element> elements, std::span<const Vec2> path, double body_m) {
-  const PointFinder finder(path, finder_cell_m);
+  const PointFinder finder(path);
   std::vector<double> weights;
   for (const Element& element : elements) {
     bool met = false;

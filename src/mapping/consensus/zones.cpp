@@ -35,14 +35,6 @@ std::vector<Element> candidates(const ArcTable& arcs, const ConsensusOptions& op
   return found;
 }
 
-/// Calls `visit(k)` for the places within `room_m` of one.
-template <class Visit>
-void within(double room_m, Vec2 place, std::span<const Vec2> places, const PointFinder& finder, Visit visit) {
-  finder.near(place, room_m, [&](std::size_t k) {
-    if (squared_norm(places[k] - place) <= room_m * room_m) visit(k);
-  });
-}
-
 }  // namespace
 
 std::vector<Element> find_zones(const ArcTable& arcs, const ConsensusOptions& options,
@@ -53,7 +45,7 @@ std::vector<Element> find_zones(const ArcTable& arcs, const ConsensusOptions& op
   const PointFinder shown_finder(shown);
   std::erase_if(open, [&](const Element& zone) {
     bool crowded = false;
-    within(options.link_step_m, zone.position, shown, shown_finder, [&](std::size_t) { crowded = true; });
+    visit_within(shown, shown_finder, zone.position, options.link_step_m, [&](std::size_t) { crowded = true; });
     return crowded;
   });
   const std::vector<Vec2> places = positions_of(open);
@@ -68,7 +60,7 @@ std::vector<Element> find_zones(const ArcTable& arcs, const ConsensusOptions& op
   for (const auto& [less, k] : order) {
     if (taken[k]) continue;
     zones.push_back(open[k]);
-    within(options.link_step_m, places[k], places, finder, [&](std::size_t m) { taken[m] = true; });
+    visit_within(places, finder, places[k], options.link_step_m, [&](std::size_t m) { taken[m] = true; });
   }
   return zones;
 }
