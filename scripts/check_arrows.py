@@ -23,7 +23,8 @@ ALLOWED: dict[str, set[str]] = {
     "eval": {"core", "maps"},
     "pipeline": {"core", "sensing", "maps", "mapping"},
     "io": {"core", "sensing", "maps", "sim", "mapping", "features", "eval"},
-    "studies": {"core", "sensing", "maps", "sim", "mapping", "features", "eval", "pipeline"},
+    "live": {"core", "sensing", "maps", "sim", "mapping", "eval", "pipeline"},
+    "studies": {"core", "sensing", "maps", "sim", "mapping", "features", "eval", "pipeline", "live"},
 }
 LIBRARY_PARTS = set(ALLOWED)
 OUTER_FOLDERS = {"apps", "bench", "tests", "examples", "fuzz"}  # these may include every part, `io` among them
@@ -110,6 +111,28 @@ def check_cmake(root: Path) -> list[str]:
     return problems
 
 
+IMPORT = re.compile(r"""^\s*import\s+['"]([^'"]+)['"]|^\s*(?:import|export|\})\b?.*\bfrom\s+['"]([^'"]+)['"]|\bimport\(\s*['"]([^'"]+)['"]""")
+NETWORK = re.compile(r"https?://(?!www\.w3\.org/)")  # name spaces are no addresses
+
+
+def check_web(root: Path) -> list[str]:
+    """What is shipped of the page imports its own files alone and names no host: it works without any network."""
+    problems = []
+    home = root / "web" / "src"
+    for path in sorted(home.rglob("*.ts")):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            where = f"{path.relative_to(root)}:{number}"
+            if match := IMPORT.search(line):
+                name = match[1] or match[2] or match[3]
+                if not name.startswith("."):
+                    problems.append(f"{where}: the page imports the package '{name}'; it stands on no package")
+                elif not (path.parent / name).resolve().is_relative_to(home.resolve()):
+                    problems.append(f"{where}: '{name}' lies outside web/src")
+            if NETWORK.search(line):
+                problems.append(f"{where}: names a host; the page talks to its server alone")
+    return problems
+
+
 def check_table() -> list[str]:
     """The table itself is free of cycles: every part can be built after what it stands on."""
     built: set[str] = set()
@@ -120,7 +143,7 @@ def check_table() -> list[str]:
 
 def main() -> int:
     root = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else ROOT
-    problems = check_table() + check_files(root) + check_cmake(root)
+    problems = check_table() + check_files(root) + check_cmake(root) + check_web(root)
     print("\n".join(problems) if problems else "arrows: every #include and DEPENDS obeys the floors")
     return 1 if problems else 0
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from project_files import ROOT, project_files
 
-COMPUTING_PARTS = {"core", "sensing", "maps", "mapping", "eval", "pipeline"}
+COMPUTING_PARTS = {"core", "sensing", "maps", "mapping", "eval", "pipeline", "live"}
 
 PRINTS = (r"\b(?:std::)?(?:cout|cerr|clog)\b|\b(?:std::)?(?:v?f?printf|f?puts|putchar|perror)\s*\("
           r"|\b(?:std|fmt)::print(?:ln)?\b|<iostream>", "prints")
@@ -34,7 +34,7 @@ LEFTOVERS = [
 ]
 
 SPDX = ("SPDX-FileCopyrightText: ", "SPDX-License-Identifier: Apache-2.0")
-HEADED_SUFFIXES = {".hpp", ".cpp", ".py", ".sh", ".cmake"}
+HEADED_SUFFIXES = {".hpp", ".cpp", ".py", ".sh", ".cmake", ".ts", ".mjs", ".js", ".css"}
 
 # Comments and literals, so that they can be blanked out without moving lines. Include paths stay: <iostream> counts.
 COMMENT_OR_LITERAL = re.compile(

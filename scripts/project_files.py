@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-SKIPPED_FOLDERS = {"build", ".git", "__pycache__"}
+SKIPPED_FOLDERS = {"build", ".git", "__pycache__", "node_modules", "dist"}
 # Inputs of tests and fuzzers: bytes of any kind, not source.
 DATA_FOLDERS = {"fuzz/corpus", "tests/fixtures", "examples/demo", "bench/results"}
 

@@ -73,6 +73,14 @@ class Arrows(Tree):
         self.write("src/core/CMakeLists.txt", "echoarc_part(core\n  SOURCES a.cpp)\n")
         self.assertEqual(check_arrows.check_cmake(self.root), [])
 
+    def test_page_stands_on_no_package_and_names_no_host(self):
+        for line in ('import { a } from "three";', "export * from '../../test/a.ts';", "const a = await import('left-pad');",
+                     "fetch('https://example.org/a');"):
+            self.write("web/src/a.ts", line + "\n")
+            self.assertEqual(len(check_arrows.check_web(self.root)), 1, line)
+        self.write("web/src/a.ts", "import { b } from './net/b.ts';\nconst svg = 'http://www.w3.org/2000/svg';\n")
+        self.assertEqual(check_arrows.check_web(self.root), [])
+
     def test_cycle_in_the_table_fails(self):
         self.assertEqual(check_arrows.check_table(), [])
         check_arrows.ALLOWED["core"].add("pipeline")

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "echoarc/core/pose2.hpp"
+#include "echoarc/live/local_map.hpp"
+#include "echoarc/live/source.hpp"
+
+namespace echoarc::live {
+
+enum class Mode : std::uint8_t { stand, drive, tour, go_to };
+[[nodiscard]] std::string_view name(Mode mode);  ///< "stand", "drive", "tour", "goto"
+
+/// Why the robot does what it does, where that is not plain from the mode.
+enum class Reason : std::uint8_t { none, arrived, blocked, obstacle, dead_man, stopped };
+[[nodiscard]] std::string_view name(Reason reason);  ///< "", "arrived", "blocked", "obstacle", "dead man", "stopped"
+
+struct ControlOptions {
+  double dead_man_s = 0.5;              ///< without a command of the driver for so long the robot brakes
+  double stop_deceleration_m_s2 = 1.5;  ///< of dead-man, Stop and obstacle stop
+  double deceleration_m_s2 = 0.3;       ///< of everything else, and in the speed cap
+  double clearance_m = 0.10;            ///< d_stop: kept between hull and obstacle
+  double cruise_m_s = 0.25;             ///< of tour and go to
+};
+
+/// What the control says of itself for people.
+struct ControlState {
+  Mode mode = Mode::stand;
+  Reason reason = Reason::none;
+  std::optional<Vec2> goal;
+  double limit_m_s = 0.0;              ///< the speed cap of this moment
+  bool limited_by_obstacle = false;    ///< the cap lies below what was wanted
+  std::optional<double> free_ahead_m;  ///< along the motion arc, from the hull; none: nothing seen
+};
+
+/// From modes and a driver's wishes to motor commands: speed cap from the free way along the motion arc
+/// v <= sqrt(2 a max(0, d_free - d_stop)), obstacle stop, dead-man, tour and go to. Knows no clock: `host_s` is the
+/// host's monotonic time, by which alone the dead-man counts.
+class RobotControl {
+ public:
+  RobotControl(const ControlOptions& options, double hull_radius_m, std::vector<Vec2> tour);
+
+  /// A command of the driver; not finite counts as zero. Starts mode `drive`.
+  void drive(const sim::RobotVelocity& wanted, double host_s);
+  /// The driver is gone, whatever the cause: as if the last command were `dead_man_s` old.
+  void driver_gone();
+  void stand();
+  void tour();
+  void go_to(Vec2 goal);
+  /// Brakes at the stopping deceleration and stands until a mode starts or someone drives.
+  void stop();
+  /// For a robot that must not go on unattended (`--attended`): as `stop`, with the reason of the dead-man.
+  void unattended();
+
+  /// The command of this moment.
+  [[nodiscard]] MotorCommand update(const Drivable& robot, const LocalMap& obstacles, double host_s);
+  [[nodiscard]] const ControlState& state() const { return state_; }
+  /// What the driver wants; zero in other modes.
+  [[nodiscard]] const sim::RobotVelocity& wanted() const { return wanted_; }
+
+ private:
+  /// How fast the robot may go along an arc.
+  struct Cap {
+    double speed_m_s = 0.0;
+    std::optional<double> free_m;
+  };
+
+  void start(Mode mode, Reason reason = Reason::none);
+  void brake(Reason reason);
+  [[nodiscard]] Cap cap_along(const Drivable& robot, const LocalMap& obstacles, sim::RobotVelocity velocity) const;
+  [[nodiscard]] sim::RobotVelocity steer(const Drivable& robot, double host_s);
+  [[nodiscard]] sim::RobotVelocity steer_to(Vec2 goal, const Drivable& robot);
+  [[nodiscard]] MotorCommand limited(const sim::RobotVelocity& wanted, const Drivable& robot,
+                                     const LocalMap& obstacles);
+  void watch_blockade(double host_s);
+  void next_station();
+
+  ControlOptions options_;
+  double hull_radius_m_;
+  std::vector<Vec2> tour_;
+  ControlState state_;
+  sim::RobotVelocity wanted_;
+  std::optional<double> driven_s_;      // host's time of the driver's last command
+  bool hard_ = false;                   // brakes at the stopping deceleration
+  bool turning_ = false;                // on the spot, towards the goal
+  std::optional<std::size_t> station_;  // none: the nearest
+  bool backwards_ = false;              // through the stations
+  std::optional<double> held_s_;        // host's time since when an obstacle holds the robot
+  bool held_ = false;                   // in the last update
+};
+
+}  // namespace echoarc::live
