@@ -111,7 +111,7 @@ def check_cmake(root: Path) -> list[str]:
     return problems
 
 
-IMPORT = re.compile(r"""^\s*import\s+['"]([^'"]+)['"]|^\s*(?:import|export|\})\b?.*\bfrom\s+['"]([^'"]+)['"]|\bimport\(\s*['"]([^'"]+)['"]""")
+IMPORT = re.compile(r"""^\s*import\s+['"]([^'"]+)['"]|^\s*(?:import|export|\}).*\bfrom\s+['"]([^'"]+)['"]|\bimport\(\s*['"]([^'"]+)['"]""")
 NETWORK = re.compile(r"https?://(?!www\.w3\.org/)")  # name spaces are no addresses
 
 
