@@ -6,7 +6,7 @@
 
 packages_for() {
   local build=(g++ cmake ninja-build pkg-config python3
-    libcli11-dev libfmt-dev libnanoflann-dev libpng-dev libsimdjson-dev libtomlplusplus-dev nlohmann-json3-dev)
+    esbuild libboost-dev libcli11-dev libfmt-dev libnanoflann-dev libpng-dev libsimdjson-dev libtomlplusplus-dev nlohmann-json3-dev)
   local test=(libgtest-dev librapidcheck-dev)
   local sanitizer=(clang-19 libclang-rt-19-dev)
   case "$1" in
@@ -15,10 +15,16 @@ packages_for() {
     sanitize) echo "${build[@]}" "${test[@]}" "${sanitizer[@]}" ;;
     lint) echo "${build[@]}" "${test[@]}" clang-format-19 clang-tidy-19 shellcheck universal-ctags ;;
     fmt) echo clang-format-19 ;;
+    web) echo esbuild chromium "$(node_packages)" ;;
     bench) echo "${build[@]}" libbenchmark-dev "$(optional libmrpt-maps-dev libmrpt-obs-dev)" ;;
     docs) echo "${build[@]}" doxygen ;;
     *) echo "no package list for '$1'" >&2; return 1 ;;
   esac
+}
+
+# Node.js with npm for the page's tests; a Node.js that is there already will do.
+node_packages() {
+  if ! command -v npm >/dev/null; then echo nodejs npm; fi
 }
 
 # Those of the named packages that this system's lists know or that are installed: for what can be left out.

@@ -245,6 +245,7 @@ void Sensing::reject(const Waiting& waiting, Rejection reason) {
   const Ping& ping = waiting.ping;
   report_.rejected_pings.add(reason, ping.line, waiting.id, offending_value(ping, reason));
   if (SensorTally* tally = tally_of(ping.rx)) ++tally->rejected[static_cast<std::size_t>(reason)];
+  if (watcher_) watcher_(ping, waiting.id, reason);
 }
 
 SensorTally* Sensing::tally_of(SensorId sensor) {

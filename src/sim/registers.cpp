@@ -5,47 +5,41 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim/silence.hpp"
 
 namespace echoarc::sim {
-namespace {
 
-struct Update {
-  double time_s = 0.0;
-  std::size_t sensor = 0;
-  double value_m = 0.0;
-};
-
-std::vector<Update> updates_of(const SensorArray& array, std::span<const Ping> pings, double speed_m_s) {
-  std::vector<Update> updates;
-  updates.reserve(pings.size());
-  for (const Ping& ping : pings) {
-    if (ping.echo_index > 0) continue;
-    const Sensor* sensor = array.find(ping.rx);
-    const double flight_s =
-        std::isnan(ping.time_of_flight_s) ? 2.0 * sensor->model.range_max_m / speed_m_s : ping.time_of_flight_s;
-    updates.push_back(
-        {ping.time_s + flight_s, static_cast<std::size_t>(sensor - array.sensors().data()), ping.range_m});
-  }
-  std::ranges::stable_sort(updates, {}, &Update::time_s);
-  return updates;
+Registers::Registers(const SensorArray& array, double speed_of_sound_m_s)
+    : array_(&array), speed_of_sound_m_s_(speed_of_sound_m_s) {
+  for (const Sensor& sensor : array.sensors()) values_m_.push_back(silence_m(sensor.model));
 }
 
-}  // namespace
+void Registers::hear(const Ping& ping) {
+  if (ping.echo_index > 0) return;
+  const Sensor* sensor = array_->find(ping.rx);
+  const double flight_s =
+      std::isnan(ping.time_of_flight_s) ? 2.0 * sensor->model.range_max_m / speed_of_sound_m_s_ : ping.time_of_flight_s;
+  const Update update{ping.time_s + flight_s, static_cast<std::size_t>(sensor - array_->sensors().data()),
+                      ping.range_m};
+  updates_.insert(std::ranges::upper_bound(updates_, update.time_s, {}, &Update::time_s), update);
+}
+
+const std::vector<double>& Registers::at(double time_s) {
+  for (; !updates_.empty() && updates_.front().time_s <= time_s; updates_.pop_front())
+    values_m_[updates_.front().sensor] = updates_.front().value_m;
+  return values_m_;
+}
 
 std::vector<Poll> poll_registers(const SensorArray& array, std::span<const Ping> pings, double rate_hz, double end_s,
                                  double speed_of_sound_m_s) {
-  const std::vector<Update> updates = updates_of(array, pings, speed_of_sound_m_s);
-  std::vector<double> registers_m;
-  for (const Sensor& sensor : array.sensors()) registers_m.push_back(silence_m(sensor.model));
+  Registers registers(array, speed_of_sound_m_s);
   std::vector<Poll> polls;
-  auto next = updates.begin();
+  auto next = pings.begin();
   for (std::uint64_t k = 0; static_cast<double>(k) <= end_s * rate_hz; ++k) {
     const double time_s = static_cast<double>(k) / rate_hz;
-    for (; next != updates.end() && next->time_s <= time_s; ++next) registers_m[next->sensor] = next->value_m;
-    polls.push_back({.time_s = time_s, .ranges_m = registers_m});
+    for (; next != pings.end() && next->time_s <= time_s; ++next) registers.hear(*next);
+    polls.push_back({.time_s = time_s, .ranges_m = registers.at(time_s)});
   }
   return polls;
 }

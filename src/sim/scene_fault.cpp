@@ -4,6 +4,7 @@
 #include "sim/scene_fault.hpp"
 
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "echoarc/core/options.hpp"
@@ -13,6 +14,16 @@ namespace echoarc::sim {
 Error scene_fault(std::string message, std::uint64_t line, std::string remedy) {
   return {ErrorCode::bad_value, std::move(message), line > 0 ? "line " + std::to_string(line) : std::string(),
           std::move(remedy)};
+}
+
+Error in_file(Error error, const std::string& file) {
+  constexpr std::string_view line = "line ";
+  if (file.empty()) return error;
+  if (error.where.starts_with(line))
+    error.where = file + ":" + error.where.substr(line.size());
+  else
+    error.where = error.where.empty() ? file : file + ", " + error.where;
+  return error;
 }
 
 std::string short_number(double value) {

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "echoarc/core/speed_of_sound.hpp"
@@ -17,17 +15,6 @@
 
 namespace echoarc::sim {
 namespace {
-
-/// "line 12" of "room.toml" is "room.toml:12".
-Error in_file(Error error, const std::string& file) {
-  constexpr std::string_view line = "line ";
-  if (file.empty()) return error;
-  if (error.where.starts_with(line))
-    error.where = file + ":" + error.where.substr(line.size());
-  else
-    error.where = error.where.empty() ? file : file + ", " + error.where;
-  return error;
-}
 
 /// A log is kept in memory while it is made.
 Result<void> check_size(const Scene& scene, const FiringSchedule& schedule) {

@@ -18,7 +18,7 @@ namespace echoarc::live {
 /// What a question is asked about: all of it cheap copies.
 struct Evidence {
   ReadingLog readings;
-  std::vector<MethodChoice> methods;               ///< in order; the first with cells explains cells of point methods
+  std::vector<MethodChoice> methods;  ///< in order; the first with cells explains cells of point methods
   std::vector<std::shared_ptr<const MapExport>> maps;  ///< of each method; may be null
   std::vector<Polyline> walls;
   std::set<SensorId> sensors_off;
@@ -26,12 +26,15 @@ struct Evidence {
 
 struct Support {
   JudgedPing ping;
-  std::optional<Angle> t;       ///< where it speaks, on the arc of the point's own ping
+  std::optional<Angle> t;  ///< where it speaks, on the arc of the point's own ping
   std::optional<Angle> crossing_angle;
   std::optional<Vec2> crossing;
   std::string note;
 };
-struct UnusedPings { std::string reason; std::uint64_t count = 0; };
+struct UnusedPings {
+  std::string reason;
+  std::uint64_t count = 0;
+};
 struct CellHistoryEntry {
   enum class Where : std::uint8_t { on, before, beside };
   JudgedPing ping;
@@ -72,7 +75,11 @@ struct Explanation {
 [[nodiscard]] Result<Explanation> explain_cell(const Evidence& evidence, std::string_view method, Vec2 position);
 
 /// A formula as data; see `Formula` of the schema. `tree` is its JSON text.
-struct FormulaLine { std::string words; std::string tree; std::string result; };
+struct FormulaLine {
+  std::string words;
+  std::string tree;
+  std::string result;
+};
 struct TouchedArc {
   enum class What : std::uint8_t { crossed, cut, removed };
   JudgedPing ping;
@@ -99,7 +106,11 @@ struct Step {
 [[nodiscard]] Result<Step> step_ping(const Evidence& evidence, std::string_view method, PingId ping);
 
 /// The maps after all pings up to a time.
-struct PastMap { std::vector<std::shared_ptr<const MapExport>> maps; std::size_t pings = 0; std::optional<Pose2> T_world_robot; };
+struct PastMap {
+  std::vector<std::shared_ptr<const MapExport>> maps;
+  std::size_t pings = 0;
+  std::optional<Pose2> T_world_robot;
+};
 [[nodiscard]] Result<PastMap> map_at(const Evidence& evidence, std::span<const std::string> methods, double time_s);
 
 }  // namespace echoarc::live

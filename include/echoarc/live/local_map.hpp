@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <tuple>
@@ -11,6 +12,7 @@
 
 #include "echoarc/core/log.hpp"
 #include "echoarc/core/options.hpp"
+#include "echoarc/sensing/no_echo.hpp"
 #include "echoarc/sim/simulated_robot.hpp"
 
 namespace echoarc::live {
@@ -50,8 +52,9 @@ class LocalMap {
 
   /// The free way of a disc from its rim along the arc it drives on, at the most `look_m`; none: nothing stands in it.
   /// What is within the disc already counts for motions towards it alone. A turn on the spot is always free.
+  /// With more than one of `least_hits`, what only a single echo tells of does not count: it may be noise.
   [[nodiscard]] std::optional<double> free_along(const Pose2& T_world_base, const sim::RobotVelocity& velocity,
-                                                 double hull_radius_m) const;
+                                                 double hull_radius_m, int least_hits = 1) const;
   static constexpr double look_m = 3.0;
 
   [[nodiscard]] std::vector<Vec2> points() const;
@@ -60,22 +63,26 @@ class LocalMap {
   struct Point {
     Vec2 place;
     double time_s = 0.0;
-    int doubts = 0;
+    int doubts = 0;  // readings that heard through it since
+    int hits = 0;
   };
 
-  void hear(const Sensor& sensor, double time_s, double range_m);
+  void hear(std::size_t sensor, double time_s, double raw_m);
   void add_arc(const Sensor& sensor, const Pose2& T_world_sensor, double range_m, double time_s);
-  void hear_through(const Sensor& sensor, const Pose2& T_world_sensor, double free_m);
+  void hear_through(const Sensor& sensor, const Pose2& T_world_sensor, double free_m, bool silent);
+  [[nodiscard]] bool doubtful(Point& point, bool too_near) const;
+  [[nodiscard]] int heard_before(Vec2 place, double time_s) const;
+  [[nodiscard]] int hits_around(Vec2 place) const;
   void forget(double time_s);
   [[nodiscard]] std::uint64_t cell_of(Vec2 place) const;
 
   LocalMapOptions options_;
   RobotDescription robot_;
+  std::vector<NoEchoDecision> decisions_;  // by sensor
   std::optional<Pose2> T_world_robot_;
   std::unordered_map<std::uint64_t, Point> points_;  // by the cell of side `spacing_m` they lie in
   std::vector<double> registers_m_;                  // of polled sensors
   std::vector<double> registers_s_;                  // when they were last heeded
-  double forgot_s_ = 0.0;
 };
 
 }  // namespace echoarc::live

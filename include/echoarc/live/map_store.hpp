@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -12,6 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "echoarc/live/cell_layer.hpp"
 #include "echoarc/mapping/method.hpp"
 #include "echoarc/maps/grid_geometry.hpp"
 
@@ -34,11 +37,21 @@ struct DrawnPoint {
 /// sequence number that it has. So viewers need no queue, and one that skips ten states is sent the newest alone.
 class MapStore {
  public:
-  struct TileIndex { std::int32_t column = 0; std::int32_t row = 0; auto operator<=>(const TileIndex&) const = default; };
+  struct TileIndex {
+    std::int32_t column = 0;
+    std::int32_t row = 0;
+    auto operator<=>(const TileIndex&) const = default;
+  };
+
+  MapStore() = default;
+  /// The map of a method that was there before, perhaps: whoever had its numbers up to `removed_at` must forget them.
+  explicit MapStore(std::uint32_t removed_at) : sequence_(removed_at > 0 ? removed_at + 1 : 0), reset_at_(sequence_) {}
 
   /// Takes a new export; parts that differ from before get a new sequence number. `arc_centre_of`: the centre of a
-  /// ping's arc, if known.
-  void update(const MapExport& map, const std::function<std::optional<Vec2>(PingId)>& arc_centre_of);
+  /// ping's arc, if known. Cells of point methods are left out (they are their points), and points of grids (they are
+  /// the centres of their occupied cells).
+  void update(const MapExport& map, const std::function<std::optional<Vec2>(PingId)>& arc_centre_of,
+              const CellLayer& layer = {});
   /// Forgets everything; viewers are told so.
   void reset();
 
@@ -52,10 +65,47 @@ class MapStore {
   [[nodiscard]] std::optional<std::size_t> index_of(std::uint32_t slot) const;
 
  private:
+  struct Tile {
+    TileBytes bytes{};
+    std::uint32_t changed = 0;
+    bool seen = false;
+  };
+  struct Slot {
+    DrawnPoint drawn;
+    std::uint32_t changed = 0;
+    std::uint32_t seen = 0;  ///< update in which the map last had it
+    std::size_t index = 0;   ///< in that map
+  };
+  /// Points of one ping and label are told apart by their order.
+  struct PointKey {
+    PingId ping = 0;
+    PointLabel label = PointLabel::centerline;
+    std::uint32_t occurrence = 0;
+    friend bool operator==(const PointKey&, const PointKey&) = default;
+  };
+  struct PointKeyHash {
+    std::size_t operator()(const PointKey& key) const;
+  };
+
+  void update_tiles(const MapExport& map, const CellLayer& layer, std::uint32_t next);
+  void draw_tiles(const MapExport& map, CellMeaning meaning, std::int32_t first_i, std::int32_t first_j,
+                  std::uint32_t next);
+  void put_tile(TileIndex index, const TileBytes& bytes, std::uint32_t next);
+  void update_points(const MapExport& map, const std::function<std::optional<Vec2>(PingId)>& arc_centre_of,
+                     std::uint32_t next);
+  std::uint32_t take_slot();
+  void drop_unseen_points(std::uint32_t next);
+
   std::uint32_t sequence_ = 0;
   std::uint32_t reset_at_ = 0;
+  std::uint32_t update_ = 0;
+  bool changed_ = false;
   std::optional<GridGeometry> geometry_;
-  // the rest is up to the implementation
+  std::map<TileIndex, Tile> tiles_;
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> free_slots_;
+  std::unordered_map<PointKey, std::uint32_t, PointKeyHash> slot_of_;
+  std::unordered_map<PointKey, std::uint32_t, PointKeyHash> occurrences_;  ///< of one update; kept for its memory
 };
 
 }  // namespace echoarc::live

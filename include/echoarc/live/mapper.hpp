@@ -31,20 +31,26 @@ struct MethodChoice {
 struct RunningMethod {
   enum class State : std::uint8_t { ok, recomputing, failed };
   MethodChoice choice;
+  OptionMap options;        ///< all of them, defaults included
+  InsertCounters counters;  ///< as of `map`
   State state = State::ok;
-  std::string reason;               ///< of a failure
-  std::size_t recomputed = 0;       ///< readings, while recomputing
+  std::string reason;          ///< of a failure
+  std::size_t recomputed = 0;  ///< readings, while recomputing
   std::size_t recompute_total = 0;
   std::shared_ptr<const MapExport> map;  ///< newest export; null before the first
   MapStore store;
-  double insert_cpu_s = 0.0;        ///< 0 without a clock
+  double insert_cpu_s = 0.0;  ///< 0 without a clock
   bool point_method = false;
 };
 
-struct TimelineBin { std::uint32_t echoes = 0; std::uint32_t no_echoes = 0; std::uint32_t rejected = 0; };
+struct TimelineBin {
+  std::uint32_t echoes = 0;
+  std::uint32_t no_echoes = 0;
+  std::uint32_t rejected = 0;
+};
 
-/// Records in, maps out, several methods over one pass, and options that change on the way: a changed method is computed
-/// anew from the readings so far, in slices, and takes the place of the old one when it has caught up.
+/// Records in, maps out, several methods over one pass, and options that change on the way: a changed method is
+/// computed anew from the readings so far, in slices, and takes the place of the old one when it has caught up.
 ///
 /// Methods are brought up to date (`finish`) by the records' own time, every `finish_interval_s`, never by a clock, so
 /// the same records give the same maps, byte for byte, however they came in.

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "echoarc/core/pose2.hpp"
 #include "echoarc/live/local_map.hpp"
 #include "echoarc/live/source.hpp"
+#include "echoarc/live/waypoints.hpp"
 
 namespace echoarc::live {
 
@@ -74,26 +74,24 @@ class RobotControl {
 
   void start(Mode mode, Reason reason = Reason::none);
   void brake(Reason reason);
-  [[nodiscard]] Cap cap_along(const Drivable& robot, const LocalMap& obstacles, sim::RobotVelocity velocity) const;
+  void watch_blockade(double host_s);
   [[nodiscard]] sim::RobotVelocity steer(const Drivable& robot, double host_s);
-  [[nodiscard]] sim::RobotVelocity steer_to(Vec2 goal, const Drivable& robot);
+  [[nodiscard]] Cap cap_along(const Drivable& robot, const LocalMap& obstacles,
+                              const sim::RobotVelocity& velocity) const;
   [[nodiscard]] MotorCommand limited(const sim::RobotVelocity& wanted, const Drivable& robot,
                                      const LocalMap& obstacles);
-  void watch_blockade(double host_s);
-  void next_station();
 
   ControlOptions options_;
   double hull_radius_m_;
-  std::vector<Vec2> tour_;
+  Route route_;
+  Homing homing_;
   ControlState state_;
   sim::RobotVelocity wanted_;
-  std::optional<double> driven_s_;      // host's time of the driver's last command
-  bool hard_ = false;                   // brakes at the stopping deceleration
-  bool turning_ = false;                // on the spot, towards the goal
-  std::optional<std::size_t> station_;  // none: the nearest
-  bool backwards_ = false;              // through the stations
-  std::optional<double> held_s_;        // host's time since when an obstacle holds the robot
-  bool held_ = false;                   // in the last update
+  std::optional<double> driven_s_;         // host's time of the driver's last command; none: gone
+  std::optional<double> held_s_;           // host's time since when an obstacle holds the robot
+  std::optional<double> backing_until_s_;  // on a tour, after an obstacle
+  bool held_ = false;                      // in the last update
+  bool hard_ = false;                      // brakes at the stopping deceleration
 };
 
 }  // namespace echoarc::live

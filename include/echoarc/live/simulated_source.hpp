@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "echoarc/core/result.hpp"
@@ -14,19 +15,27 @@
 namespace echoarc::live {
 
 /// The simulated robot of a scene, driven by commands. The stations of its tour are those of the scene's drive.
+/// Where an earlier run of the same robot ended, which this one continues: its records follow those of that run.
+struct Continuation {
+  double time_s = 0.0;  ///< of the first record
+  Pose2 T_world_true;
+  Pose2 T_world_odometry;  ///< where the robot believed to be there
+};
+
 class SimulatedSource final : public Source, public Drivable {
  public:
-  /// Errors: those of `SteppedSimulation::make`.
-  [[nodiscard]] static Result<std::unique_ptr<SimulatedSource>> make(sim::Scene scene, std::uint64_t seed,
-                                                                     const sim::RobotLimits& limits = {});
+  /// Errors: those of `SteppedSimulation::make`. What moves in the scene starts anew with a continuation.
+  [[nodiscard]] static Result<std::unique_ptr<SimulatedSource>> make(
+      sim::Scene scene, std::uint64_t seed, const sim::RobotLimits& limits = {},
+      const std::optional<Continuation>& continued = std::nullopt);
 
   [[nodiscard]] const SourceDescription& description() const override { return description_; }
-  [[nodiscard]] double time_s() const override { return simulation_.time_s(); }
+  [[nodiscard]] double time_s() const override { return begin_s_ + simulation_.time_s(); }
   [[nodiscard]] Result<void> advance(double until_s, std::vector<Record>& records) override;
   [[nodiscard]] Drivable* drivable() override { return this; }
 
   void command(const MotorCommand& command) override;
-  [[nodiscard]] Pose2 T_world_base() const override { return simulation_.T_odom_base(); }
+  [[nodiscard]] Pose2 T_world_base() const override { return T_odometry_simulated_ * simulation_.T_odom_base(); }
   [[nodiscard]] sim::RobotVelocity velocity() const override { return simulation_.velocity(); }
   [[nodiscard]] sim::RobotLimits limits() const override { return limits_; }
 
@@ -35,8 +44,11 @@ class SimulatedSource final : public Source, public Drivable {
 
  private:
   SimulatedSource(sim::SteppedSimulation simulation, const sim::RobotLimits& limits);
+  void shift(Record& record) const;
 
   sim::SteppedSimulation simulation_;
+  double begin_s_ = 0.0;        // of the simulation's own time
+  Pose2 T_odometry_simulated_;  // from the frame of the simulation's odometry to that of the run it continues
   sim::RobotLimits limits_;
   SourceDescription description_;
   std::vector<sim::SteppedRecord> said_;

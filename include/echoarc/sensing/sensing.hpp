@@ -5,8 +5,10 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "echoarc/core/log.hpp"
@@ -46,6 +48,10 @@ class Sensing {
   void push(const WallNote& note);
   /// Without `use_lasers` scans are of no use and not counted.
   void push(const Scan& scan);
+  /// Shown from then on every ping that is rejected, with its number and why, after the readings before it are in
+  /// `readings`; an empty visitor ends it. It must not push.
+  void watch_rejections(std::function<void(const Ping&, PingId, Rejection)> watcher) { watcher_ = std::move(watcher); }
+
   /// Pings are numbered as they come: the reading's `ping` is the count of pings before it.
   void push(const Ping& ping);
   /// Registers of the sensors in order of id, which is the order in which they fire. The firings that can be told from
@@ -110,6 +116,7 @@ class Sensing {
   std::vector<Reading> readings_;
   std::vector<Reading> limited_;
   SensingReport report_;
+  std::function<void(const Ping&, PingId, Rejection)> watcher_;
 };
 
 /// Sensing for the pings of a whole log: the no-echo decisions come from all its values; odometry, wall notes and,

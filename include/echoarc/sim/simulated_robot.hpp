@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <tuple>
 
 #include "echoarc/core/options.hpp"
@@ -45,8 +46,11 @@ class SimulatedRobot {
   /// Requires limits that `validate` accepts.
   explicit SimulatedRobot(const Pose2& T_world_robot, const RobotLimits& limits = {});
 
-  /// Holds until the next one; cut to the limits, and anything not finite counts as a halt.
-  void command(const RobotVelocity& wanted);
+  /// Holds until the next one; cut to the limits, and anything not finite counts as a halt. The forward speed goes
+  /// towards zero at the deceleration, where it is given and a positive number, and away from zero at the limit.
+  void command(const RobotVelocity& wanted, std::optional<double> deceleration_m_s2 = {});
+  /// Something holds the robot where it was, whatever its heading: it has no forward speed any more.
+  void hold(Vec2 position);
   /// Lets time pass; at most an hour, anything that is no positive number is ignored.
   void step(double duration_s);
 
@@ -65,6 +69,7 @@ class SimulatedRobot {
   Pose2 T_world_robot_;
   RobotVelocity velocity_;
   RobotVelocity wanted_;
+  double deceleration_m_s2_;
 };
 
 }  // namespace echoarc::sim

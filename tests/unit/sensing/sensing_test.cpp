@@ -215,6 +215,36 @@ TEST(Sensing, ALivePingFromTheFutureDoesNotBlockTheRest) {
   EXPECT_EQ(stream.report().rejected_pings[Rejection::no_pose].count, 1U);
 }
 
+TEST(Sensing, AWatcherIsShownEveryRejectedPingBetweenTheReadingsAroundIt) {
+  const Log log = one_sensor_log();
+  Sensing stream(log.robot.sensors);
+  struct Shown {
+    PingId id;
+    Rejection reason;
+    std::size_t readings_before;
+  };
+  std::vector<Shown> shown;
+  stream.watch_rejections([&](const Ping& /*ping*/, PingId id, Rejection reason) {
+    shown.push_back({id, reason, stream.readings().size()});
+  });
+  for (const Ping& ping : {test::ping_at(0.1, 3, 1.0), test::ping_at(0.2, 9, 1.0), test::ping_at(0.3, 3, 1.1),
+                           test::ping_at(0.2, 3, 1.0), test::ping_at(0.4, 3, test::nan)})
+    stream.push(ping);
+  EXPECT_TRUE(shown.empty());  // nothing is decided before odometry comes
+  for (const Odometry& sample : log.odometry) stream.push(sample);
+  ASSERT_EQ(shown.size(), stream.report().rejected_pings.total());
+  ASSERT_GE(shown.size(), 2U);
+  EXPECT_EQ(shown[0].id, 1U);
+  EXPECT_EQ(shown[0].reason, Rejection::unknown_sensor);
+  EXPECT_EQ(shown[0].readings_before, 1U);
+  EXPECT_EQ(shown[1].id, 3U);
+  EXPECT_EQ(shown[1].reason, Rejection::time_backwards);
+  EXPECT_EQ(shown[1].readings_before, 2U);
+  stream.watch_rejections({});
+  stream.push(test::ping_at(0.45, 9, 1.0));
+  EXPECT_EQ(shown.size() + 1, stream.report().rejected_pings.total());
+}
+
 TEST(Sensing, OptionsAreDeclaredInFull) {
   for (const OptionSpec& spec : option_specs<SensingOptions>()) EXPECT_FALSE(spec.doc.empty()) << spec.name;
   EXPECT_TRUE(validate(SensingOptions{}));

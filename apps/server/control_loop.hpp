@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "echoarc/live/live_robot.hpp"
+
+namespace echoarc::server {
+
+/// How the robot is at one tick. Times of the host are CLOCK_MONOTONIC.
+struct RobotStatus {
+  std::uint64_t tick = 0;
+  double time_s = 0.0;
+  std::int64_t mono_us = 0;
+  std::optional<Pose2> T_world_robot;
+  std::optional<Pose2> T_world_true;
+  sim::RobotVelocity velocity;
+  live::ControlState control;  ///< as it was made, for what cannot be driven
+  bool playing = true;
+  double speed = 1.0;
+  bool ended = false;  ///< nothing follows
+  std::string broken;  ///< why the source says no more; else empty
+  double travelled_m = 0.0;
+  std::optional<std::uint32_t> drive_seq;  ///< of the newest command that reached the robot
+  std::int64_t drive_us = 0;               ///< when it did
+};
+
+/// Steps a robot as real time passes, on a thread of its own that waits for nobody: every 10 ms, and at once when a
+/// command comes.
+class ControlLoop {
+ public:
+  static constexpr double period_s = 0.01;
+  static constexpr double tick_s = 0.1;
+
+  /// All are called on the loop's thread.
+  struct Host {
+    std::function<void(std::vector<live::Record>&&)> records;
+    std::function<void()> restarted;  ///< a log jumped back: what follows starts anew
+    std::function<void(std::shared_ptr<const RobotStatus>)> tick;
+    std::function<bool()> crowded;  ///< whether records wait that nobody took; a log then waits, a robot does not
+  };
+
+  ControlLoop(std::unique_ptr<live::Source> source, const live::ControlOptions& options, double speed, Host host);
+  ControlLoop(const ControlLoop&) = delete;
+  ControlLoop& operator=(const ControlLoop&) = delete;
+  ~ControlLoop();
+
+  void drive(const sim::RobotVelocity& wanted, std::optional<std::uint32_t> seq);
+  /// Whatever else is done with the control; nothing for a source that cannot be driven.
+  void control(std::function<void(live::RobotControl&)> action);
+  void play(bool playing);
+  void set_speed(double speed);
+  void seek(double time_s);
+
+ private:
+  void post(std::function<void()> action);
+  void work();
+  void step_to_now();
+  void hand_over();
+  void report();
+  void anchor();
+
+  Host host_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::vector<std::function<void()>> mailbox_;
+  bool closing_ = false;
+  // Of the thread alone:
+  live::LiveRobot robot_;
+  std::vector<live::Record> records_;
+  double speed_;
+  bool playing_ = true;
+  double anchor_host_s_ = 0.0;    // when
+  double anchor_source_s_ = 0.0;  // the source was there
+  std::string broken_;
+  std::uint64_t ticks_ = 0;
+  std::optional<std::uint32_t> drive_seq_;
+  std::int64_t drive_us_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace echoarc::server

@@ -1,0 +1,484 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "server/room.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "host/clocks.hpp"
+#include "server/json_values.hpp"
+#include "server/map_messages.hpp"
+#include "server/room_messages.hpp"
+
+namespace echoarc::server {
+namespace {
+
+constexpr std::size_t most_questions = 64;
+
+std::string log_json(SessionWriter* log) {
+  if (log == nullptr) return R"({"state":"off","bytes":0,"message":""})";
+  const SessionWriter::Status status = log->status();
+  constexpr std::array states{"on", "full", "limit"};
+  return text_of({{"state", states.at(static_cast<std::size_t>(status.state))},
+                  {"bytes", status.bytes},
+                  {"message", status.message}});
+}
+
+}  // namespace
+
+std::shared_ptr<Room> Room::open(RoomSetup setup, Post post) {
+  std::shared_ptr<Room> room(new Room(std::move(post)));
+  room->start(std::move(setup));
+  return room;
+}
+
+Room::~Room() = default;
+
+void Room::start(RoomSetup setup) {
+  name_ = std::move(setup.name);
+  kind_ = std::move(setup.kind);
+  attended_ = setup.attended;
+  source_ = setup.source->description();
+  drivable_ = setup.source->drivable() != nullptr;
+  log_ = std::move(setup.log);
+  questions_ = std::make_unique<Worker>(most_questions);
+  const std::weak_ptr<Room> self = weak_from_this();
+  const auto told = [this, self](auto member) {
+    return [post = post_, self, member](auto value) {
+      post([self, member, value = std::move(value)]() mutable {
+        if (const auto room = self.lock()) ((*room).*member)(std::move(value));
+      });
+    };
+  };
+  mapping_ = std::make_unique<MappingLoop>(
+      std::move(setup.mapper), std::move(setup.scores), source_,
+      MappingLoop::Host{told(&Room::on_published), [log = log_] { return log_json(log.get()); }});
+  ControlLoop::Host host{[log = log_, mapping = mapping_.get()](std::vector<live::Record>&& records) {
+                           if (log)
+                             for (const live::Record& record : records) log->add(record);
+                           mapping->add(std::move(records));
+                         },
+                         [mapping = mapping_.get()] { mapping->restart(); }, told(&Room::on_tick),
+                         [mapping = mapping_.get()] { return mapping->crowded(); }};
+  control_ =
+      std::make_unique<ControlLoop>(std::move(setup.source), live::ControlOptions{}, setup.speed, std::move(host));
+  if (setup.starts_tour && !source_.tour.empty() && !attended_)
+    control_->control([](live::RobotControl& control) { control.tour(); });
+}
+
+std::vector<std::string> Room::modes() const {
+  if (!drivable_) return {};
+  std::vector<std::string> modes{"stand", "drive", "goto"};
+  if (source_.tour.size() > 1) modes.insert(modes.begin(), "tour");
+  return modes;
+}
+
+// ---- viewers
+
+void Room::join(Viewer& viewer) {
+  viewers_.insert(&viewer);
+  greet(viewer);
+  tell_viewers();
+}
+
+void Room::leave(Viewer& viewer) {
+  if (viewers_.erase(&viewer) == 0) return;
+  const std::optional<ViewerId> before = rights_.driver();
+  if (rights_.leave(viewer.id)) {
+    if (control_) control_->control([](live::RobotControl& control) { control.driver_gone(); });
+    driver_changed(before, "handed_over");
+  }
+  if (attended_ && viewers_.empty() && control_)
+    control_->control([](live::RobotControl& control) { control.unattended(); });
+  tell_viewers();
+}
+
+Viewer* Room::find(ViewerId id) const {
+  const auto found = std::ranges::find(viewers_, id, [](const Viewer* viewer) { return viewer->id; });
+  return found == viewers_.end() ? nullptr : *found;
+}
+
+void Room::tell_viewers() {
+  const std::string text = viewers_message(viewers_, rights_);
+  for (Viewer* viewer : viewers_)
+    if (viewer->cursor.greeted) viewer->send(text);
+}
+
+/// Runs `work(room, viewer)` on the thread of input and output, if both are still there then.
+template <class Work>
+void Room::later(ViewerId id, Work work) {
+  post_([self = weak_from_this(), id, work = std::move(work)]() mutable {
+    const std::shared_ptr<Room> room = self.lock();
+    Viewer* viewer = room ? room->find(id) : nullptr;
+    if (viewer != nullptr) work(*room, *viewer);
+  });
+}
+
+void Room::greet(Viewer& viewer) {
+  mapping_->post([this, id = viewer.id](MappingLoop::Access& access) {
+    later(id, [history = history_message(access.mapper, access.scores)](Room& room, Viewer& newcomer) {
+      newcomer.send(history);
+      newcomer.send(viewers_message(room.viewers_, room.rights_));
+      newcomer.cursor.greeted = true;
+    });
+  });
+}
+
+std::vector<SharedFrame> Room::take(Viewer& viewer) {
+  std::map<std::string, std::uint32_t> behind;
+  std::vector<SharedFrame> frames = bundler_.take(viewer, state_, behind);
+  if (!behind.empty() && !viewer.cursor.catching_up) catch_up(viewer, std::move(behind));
+  return frames;
+}
+
+void Room::catch_up(Viewer& viewer, std::map<std::string, std::uint32_t> behind) {
+  viewer.cursor.catching_up = true;
+  mapping_->catch_up(std::move(behind), [this, id = viewer.id](MappingLoop::CatchUp caught) {
+    later(id, [caught = std::move(caught)](Room&, Viewer& late) mutable {
+      late.cursor.caught = std::move(caught);
+      late.cursor.catching_up = false;
+    });
+  });
+}
+
+// ---- what robot and maps say
+
+void Room::on_tick(std::shared_ptr<const RobotStatus> status) {
+  status_ = std::move(status);
+  if (const auto expired = rights_.expired(host::wall_time_s())) {
+    if (Viewer* viewer = find(*expired)) viewer->send(drive_lost_message("kept"));
+    tell_viewers();
+  }
+  note_stop(*status_);
+  const std::uint64_t pings = bundler_.publication() ? bundler_.publication()->readings.size() : 0;
+  state_ = std::make_shared<const Frame>(
+      Frame{state_message(*status_, rights_, viewers_.size(), stopped_by_, pings), false});
+  for (Viewer* viewer : viewers_) viewer->offer();
+}
+
+void Room::note_stop(const RobotStatus& status) {
+  using live::Reason;
+  switch (status.control.reason) {
+    case Reason::obstacle: stopped_by_ = StopNote{"obstacle", std::nullopt, ""}; return;
+    case Reason::dead_man:
+      stopped_by_ = StopNote{"dead_man", std::nullopt, ""};
+      if (const auto driver = rights_.driver(); driver && rights_.leave(*driver)) {
+        if (Viewer* viewer = find(*driver)) viewer->send(drive_lost_message("dead_man"));
+        tell_viewers();
+      }
+      return;
+    case Reason::stopped:
+      if (!stopped_by_) stopped_by_ = StopNote{"host", std::nullopt, ""};
+      return;
+    default: stopped_by_.reset();
+  }
+}
+
+void Room::on_published(SharedPublication publication) {
+  bundler_.set(std::move(publication));
+}
+
+// ---- what viewers say
+
+void Room::hear(Viewer& viewer, const ClientMessage& message) {
+  std::visit([&](const auto& m) { on(viewer, m); }, message);
+}
+
+void Room::refuse(Viewer& viewer, std::optional<MessageId> id, const Error& error) {
+  viewer.send(error_message(id, error));
+}
+
+bool Room::may(Viewer& viewer, std::optional<MessageId> id) {
+  if (!viewer.may_drive)
+    refuse(viewer, id,
+           {ErrorCode::unsupported, "this needs the token", "",
+            "open the drive link that was printed where echoarc was started"});
+  return viewer.may_drive;
+}
+
+void Room::on(Viewer& viewer, const Hello& /*message*/) {
+  refuse(viewer, std::nullopt, {ErrorCode::bad_format, "hello was said already", "", "say it once, first"});
+}
+
+void Room::on(Viewer& viewer, const PingMessage& message) {
+  viewer.send(pong_message(message.id));
+}
+
+void Room::on(Viewer& viewer, const Subscribe& message) {
+  viewer.subscribed.emplace(message.methods.begin(), message.methods.end());
+}
+
+void Room::on(Viewer& viewer, const Stop& /*message*/) {
+  if (!control_) return;
+  stopped_by_ = StopNote{"viewer", viewer.id, viewer.name};
+  control_->control([](live::RobotControl& control) { control.stop(); });
+}
+
+void Room::on(Viewer& viewer, const Take& /*message*/) {
+  if (!may(viewer)) return;
+  if (!drivable_)
+    return refuse(viewer, std::nullopt,
+                  {ErrorCode::unsupported, "a log cannot be driven", "", "open a scene, or the robot itself"});
+  const std::optional<ViewerId> before = rights_.driver();
+  switch (rights_.take(viewer.id, host::wall_time_s())) {
+    case DrivingRights::Taken::yes: driver_changed(before, "handed_over"); break;
+    case DrivingRights::Taken::asked:
+      if (Viewer* driver = find(*rights_.driver())) driver->send(drive_request_message(viewer));
+      tell_viewers();
+      break;
+    case DrivingRights::Taken::busy:
+      refuse(viewer, std::nullopt,
+             {ErrorCode::unsupported, "somebody else is asking to drive", "", "ask again when that is answered"});
+  }
+}
+
+void Room::driver_changed(std::optional<ViewerId> before, std::string_view reason) {
+  if (before == rights_.driver()) return;
+  if (before)
+    if (Viewer* viewer = find(*before)) viewer->send(drive_lost_message(reason));
+  tell_viewers();
+}
+
+void Room::on(Viewer& viewer, const Release& message) {
+  const std::optional<ViewerId> before = rights_.driver();
+  if (message.to) {
+    const Viewer* next = find(*message.to);
+    if (next == nullptr || !next->may_drive)
+      return refuse(viewer, std::nullopt,
+                    {ErrorCode::not_found, "that viewer is gone, or has no token", "", "choose another"});
+  }
+  if (!rights_.release(viewer.id, message.to)) return;
+  if (control_) control_->control([](live::RobotControl& control) { control.stand(); });
+  driver_changed(before, "handed_over");
+}
+
+void Room::on(Viewer& viewer, const Answer& message) {
+  const std::optional<ViewerId> before = rights_.driver();
+  const std::optional<ViewerId> asked = rights_.answer(viewer.id, message.accept);
+  if (!asked) return;
+  if (!message.accept) {
+    if (Viewer* asking = find(*asked)) asking->send(drive_lost_message("kept"));
+    return tell_viewers();
+  }
+  if (control_) control_->control([](live::RobotControl& control) { control.stand(); });
+  driver_changed(before, "handed_over");
+}
+
+void Room::on(Viewer& viewer, const DriveMessage& message) {
+  if (!may(viewer)) return;
+  if (rights_.driver() != viewer.id)
+    return refuse(viewer, std::nullopt, {ErrorCode::unsupported, "you do not drive", "", "say take first"});
+  if (control_) control_->drive({message.v_m_s, radians(message.w_rad_s)}, message.seq);
+}
+
+void Room::on(Viewer& viewer, const ModeMessage& message) {
+  if (!may(viewer)) return;
+  if (rights_.driver() && rights_.driver() != viewer.id)
+    return refuse(viewer, std::nullopt,
+                  {ErrorCode::unsupported, "somebody else drives", "", "ask to drive, then choose the mode"});
+  const std::vector<std::string> known = modes();
+  const bool has_goal = message.x_m && message.y_m;
+  if (!control_ || std::ranges::find(known, message.mode) == known.end() || message.mode == "drive" ||
+      (message.mode == "goto" && !has_goal))
+    return refuse(viewer, std::nullopt,
+                  {ErrorCode::bad_value, fmt::format("\"{:.32}\" is no mode that can be started so", message.mode), "",
+                   "welcome.modes lists them; goto needs x and y, drive is started by driving"});
+  if (message.mode == "tour") control_->control([](live::RobotControl& control) { control.tour(); });
+  if (message.mode == "stand") control_->control([](live::RobotControl& control) { control.stand(); });
+  if (message.mode == "goto")
+    control_->control([goal = Vec2{*message.x_m, *message.y_m}](live::RobotControl& control) { control.go_to(goal); });
+}
+
+void Room::change_map(Viewer& viewer, std::function<Result<void>(live::Mapper&)> change, std::string setup) {
+  if (!may(viewer)) return;
+  mapping_->post([this, change = std::move(change), setup = std::move(setup),
+                  id = viewer.id](MappingLoop::Access& access) mutable {
+    const Result<void> changed = change(access.mapper);
+    access.changed = true;
+    if (!changed)
+      later(id, [error = changed.error()](Room& room, Viewer& asker) { room.refuse(asker, std::nullopt, error); });
+    else if (log_)
+      log_->add_setup(std::move(setup));
+  });
+}
+
+void Room::on(Viewer& viewer, const MethodAdd& message) {
+  change_map(
+      viewer, [name = message.method](live::Mapper& mapper) { return mapper.add_method({name, {}}); },
+      text_of({{"type", "setup"}, {"add", message.method}}));
+}
+
+void Room::on(Viewer& viewer, const MethodRemove& message) {
+  change_map(
+      viewer, [name = message.method](live::Mapper& mapper) { return mapper.remove_method(name); },
+      text_of({{"type", "setup"}, {"remove", message.method}}));
+}
+
+void Room::on(Viewer& viewer, const OptionsMessage& message) {
+  change_map(
+      viewer, [message](live::Mapper& mapper) { return mapper.set_options(message.method, message.options); },
+      text_of({{"type", "setup"}, {"method", message.method}, {"options", json_of(message.options)}}));
+}
+
+void Room::on(Viewer& viewer, const SensorMessage& message) {
+  change_map(
+      viewer, [message](live::Mapper& mapper) { return mapper.use_sensor(message.sensor, message.on); },
+      text_of({{"type", "setup"}, {"sensor", message.sensor}, {"on", message.on}}));
+}
+
+void Room::on(Viewer& viewer, const Playback& message) {
+  if (!may(viewer)) return;
+  if (!control_ || kind_ != "log")
+    return refuse(viewer, std::nullopt,
+                  {ErrorCode::unsupported, "a running robot cannot be played", "", "hold the view instead"});
+  if (message.speed) control_->set_speed(*message.speed);
+  if (message.seek_s) control_->seek(*message.seek_s);
+  if (message.playing) control_->play(*message.playing);
+}
+
+void Room::on(Viewer& viewer, const OpenScene& message) {
+  refuse(viewer, message.id, {ErrorCode::unsupported, "this room opens no scenes", "", "ask the server"});
+}
+
+// ---- questions
+
+template <class Prepare>
+void Room::question(Viewer& viewer, MessageId id, Prepare prepare) {
+  mapping_->post([this, prepare = std::move(prepare), viewer_id = viewer.id, id](MappingLoop::Access& access) {
+    // What needs the mapper itself is looked up now; the rest is work for another thread, from copies.
+    auto evidence = std::make_shared<live::Evidence>(MappingLoop::evidence_of(access.mapper, source_));
+    const bool taken = questions_->post([this, evidence, ask = prepare(access.mapper), viewer_id, id] {
+      later(viewer_id, [frames = ask(*evidence), id](Room& room, Viewer& asker) {
+        if (frames)
+          asker.send(*frames);
+        else
+          room.refuse(asker, id, frames.error());
+      });
+    });
+    if (taken) return;
+    later(viewer_id, [id](Room& room, Viewer& asker) {
+      room.refuse(asker, id, {ErrorCode::too_large, "too many questions wait already", "", "ask again in a moment"});
+    });
+  });
+}
+
+namespace {
+
+SharedFrame text_frame(std::string text) {
+  return std::make_shared<const Frame>(Frame{std::move(text), false});
+}
+
+using Frames = Result<std::vector<SharedFrame>>;
+using Ask = std::function<Frames(const live::Evidence&)>;
+
+Error no_such_method(const std::string& method) {
+  return {ErrorCode::not_found, fmt::format("method \"{:.40}\" does not run here", method), "",
+          "add it first; `methods` lists those that run"};
+}
+
+/// Place of a slot in the newest export of a method.
+Result<std::size_t> place_of(const live::Mapper& mapper, const std::string& method, std::uint32_t slot) {
+  for (const live::RunningMethod& running : mapper.methods())
+    if (running.choice.name == method) {
+      if (const auto place = running.store.index_of(slot)) return *place;
+      return Error{ErrorCode::not_found, "that point is no longer on the map", "", "choose another point"};
+    }
+  return no_such_method(method);
+}
+
+/// Map frames that answer a question.
+void add_maps(std::vector<SharedFrame>& frames, MessageId id, std::size_t index, const live::MethodChoice& choice,
+              const MapExport& map, const live::ReadingLog& readings) {
+  live::MapStore store;
+  const auto centre_of = [&](PingId ping) -> std::optional<Vec2> {
+    const auto place = readings.find(ping);
+    if (!place) return std::nullopt;
+    const std::optional<Arc> arc = arc_of(readings[*place].reading);
+    return arc && arc->is_circular() ? std::optional<Vec2>(arc->centre()) : std::nullopt;
+  };
+  store.update(map, centre_of, live::cell_layer_of(choice.name, choice.options));
+  FrameHead head{.method = static_cast<std::uint8_t>(index), .sequence = store.sequence(), .question = id};
+  head.kind = FrameKind::tiles;
+  if (SharedFrame tiles = encode_tiles(head, store, 0)) frames.push_back(std::move(tiles));
+  head.kind = FrameKind::points;
+  if (SharedFrame points = encode_points(head, store, 0)) frames.push_back(std::move(points));
+}
+
+Frames answer_step(const live::Evidence& evidence, const StepMessage& message) {
+  const Result<live::Step> step = live::step_ping(evidence, message.method, message.ping);
+  if (!step) return step.error();
+  std::vector<SharedFrame> frames;
+  for (std::size_t i = 0; i < evidence.methods.size(); ++i)
+    if (evidence.methods[i].name == message.method && step->before)
+      add_maps(frames, message.id, i, evidence.methods[i], *step->before, evidence.readings);
+  constexpr double temperature_k = 293.0;
+  frames.push_back(text_frame(stepped_message(message.id, *step, temperature_k)));
+  return frames;
+}
+
+Frames answer_snapshot(const live::Evidence& evidence, const Snapshot& message) {
+  const Result<live::PastMap> past = live::map_at(evidence, message.methods, message.time_s);
+  if (!past) return past.error();
+  std::vector<SharedFrame> frames;
+  for (std::size_t k = 0; k < message.methods.size() && k < past->maps.size(); ++k)
+    for (std::size_t i = 0; i < evidence.methods.size(); ++i)
+      if (evidence.methods[i].name == message.methods[k] && past->maps[k])
+        add_maps(frames, message.id, i, evidence.methods[i], *past->maps[k], evidence.readings);
+  frames.push_back(text_frame(snapshot_end_message(message.id, message.time_s, past->pings, past->T_world_robot)));
+  return frames;
+}
+
+Frames answer_pings(const live::Evidence& evidence, const PingsMessage& message) {
+  const live::ReadingLog& readings = evidence.readings;
+  std::vector<SharedFrame> frames;
+  // Pings are judged nearly in the order of their ids.
+  std::size_t begin = std::min<std::size_t>(message.from, readings.size());
+  if (const auto place = readings.find(message.from)) begin = *place;
+  const std::size_t end = std::min(readings.size(), begin + message.count);
+  frames.push_back(encode_pings({.kind = FrameKind::pings, .question = message.id}, readings, begin, end));
+  frames.push_back(text_frame(pings_end_message(message.id)));
+  return frames;
+}
+
+}  // namespace
+
+void Room::on(Viewer& viewer, const Explain& message) {
+  question(viewer, message.id, [message](const live::Mapper& mapper) -> Ask {
+    const auto written = [id = message.id](const Result<live::Explanation>& explanation) -> Frames {
+      if (!explanation) return explanation.error();
+      return std::vector<SharedFrame>{text_frame(explanation_message(id, *explanation))};
+    };
+    if (!message.slot)
+      return [message, written](const live::Evidence& evidence) {
+        return written(live::explain_cell(evidence, message.method, {*message.x_m, *message.y_m}));
+      };
+    return [place = place_of(mapper, message.method, *message.slot), message, written](const live::Evidence& evidence) {
+      return place ? written(live::explain_point(evidence, message.method, *place)) : Frames(place.error());
+    };
+  });
+}
+
+void Room::on(Viewer& viewer, const StepMessage& message) {
+  question(viewer, message.id, [message](const live::Mapper&) -> Ask {
+    return [message](const live::Evidence& evidence) { return answer_step(evidence, message); };
+  });
+}
+
+void Room::on(Viewer& viewer, const PingsMessage& message) {
+  question(viewer, message.id, [message](const live::Mapper&) -> Ask {
+    return [message](const live::Evidence& evidence) { return answer_pings(evidence, message); };
+  });
+}
+
+void Room::on(Viewer& viewer, const Snapshot& message) {
+  question(viewer, message.id, [message](const live::Mapper&) -> Ask {
+    return [message](const live::Evidence& evidence) { return answer_snapshot(evidence, message); };
+  });
+}
+
+}  // namespace echoarc::server

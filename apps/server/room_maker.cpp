@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "server/room_maker.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "echoarc/live/replay_source.hpp"
+#include "echoarc/live/simulated_source.hpp"
+#include "host/clocks.hpp"
+#include "server/json_values.hpp"
+
+namespace echoarc::server {
+namespace {
+
+/// A session's own first record: what is needed to start the same again.
+std::string start_record(const SceneRoom& room, const MappingChoice& mapping) {
+  Json methods = Json::array();
+  for (const live::MethodChoice& choice : mapping.methods)
+    methods.push_back({{"name", choice.name}, {"options", json_of(choice.options)}});
+  return text_of({{"type", "setup"},
+                  {"scene", room.scene_name},
+                  {"seed", room.seed},
+                  {"speed", room.speed},
+                  {"sensing", json_of(option_values(mapping.sensing))},
+                  {"methods", std::move(methods)}});
+}
+
+OptionMap options_of(const Json& object) {
+  OptionMap options;
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_boolean()) options.emplace(name, value.get<bool>());
+    if (value.is_number_integer()) options.emplace(name, value.get<std::int64_t>());
+    if (value.is_number_float()) options.emplace(name, value.get<double>());
+    if (value.is_string()) options.emplace(name, value.get<std::string>());
+  }
+  return options;
+}
+
+/// A setup record that changed the maps on the way, applied again. What is none, or cannot be applied, is passed over:
+/// it was refused the first time, too, or comes from a newer version.
+void apply_setup(const Json& setup, live::Mapper& mapper) {
+  if (setup.contains("add")) (void)mapper.add_method({setup["add"].get<std::string>(), {}});
+  if (setup.contains("remove")) (void)mapper.remove_method(setup["remove"].get<std::string>());
+  if (setup.contains("options"))
+    (void)mapper.set_options(setup["method"].get<std::string>(), options_of(setup["options"]));
+  if (setup.contains("on")) (void)mapper.use_sensor(setup["sensor"].get<SensorId>(), setup["on"].get<bool>());
+}
+
+std::optional<Json> setup_of(const io::SessionLine& line) {
+  const auto* other = std::get_if<io::OtherLine>(&line);
+  if (other == nullptr) return std::nullopt;
+  Json json = Json::parse(other->json, nullptr, false);
+  if (!json.is_object() || json.value("type", "") != "setup") return std::nullopt;
+  return json;
+}
+
+Log header_of(const live::SourceDescription& source) {
+  Log log;
+  log.source = source.name;
+  log.frame = source.frame;
+  log.temperature_k = source.temperature_k;
+  log.robot = source.robot;
+  return log;
+}
+
+/// Maps, scores and name around a source; no log yet.
+Result<RoomSetup> furnish(std::string name, std::string kind, std::unique_ptr<live::Source> source,
+                          const MappingChoice& mapping, Executor& executor) {
+  Result<live::Mapper> mapper =
+      live::Mapper::make(source->description(), mapping.sensing, mapping.methods, executor, &host::thread_cpu_time_s);
+  if (!mapper) return mapper.error();
+  live::ScoreKeeper scores(source->description());
+  return RoomSetup{std::move(name), std::move(kind), std::move(source), std::move(*mapper), std::move(scores)};
+}
+
+Result<void> keep_log(RoomSetup& setup, const SceneRoom& room, const MappingChoice& mapping, bool anew) {
+  const Log header = header_of(setup.source->description());
+  Result<io::SessionLog> log = anew ? io::SessionLog::create(room.session, header, room.limits)
+                                    : io::SessionLog::resume(room.session, header, room.limits);
+  if (!log) return log.error();
+  setup.log = std::make_unique<SessionWriter>(std::move(*log));
+  if (anew) setup.log->add_setup(start_record(room, mapping));
+  return {};
+}
+
+/// Where a session ended.
+struct Ending {
+  double time_s = 0.0;
+  std::optional<Pose2> T_world_true;
+  std::optional<Pose2> T_world_odometry;
+
+  void heed(const live::Record& record) {
+    if (const auto* truth = std::get_if<live::Truth>(&record)) {
+      T_world_true = truth->pose.T_world_robot;
+      time_s = std::max(time_s, truth->pose.time_s);
+    } else if (const auto* odometry = std::get_if<Odometry>(&record)) {
+      T_world_odometry = odometry->T_world_robot;
+    } else if (const auto* ping = std::get_if<Ping>(&record)) {
+      time_s = std::max(time_s, ping->time_s);
+    }
+  }
+  /// None when nothing was recorded yet.
+  [[nodiscard]] std::optional<live::Continuation> continuation() const {
+    constexpr double gap_s = 0.05;
+    if (!T_world_true || !T_world_odometry) return std::nullopt;
+    return live::Continuation{time_s + gap_s, *T_world_true, *T_world_odometry};
+  }
+};
+
+}  // namespace
+
+Result<RoomSetup> make_scene_room(SceneRoom room, const MappingChoice& mapping, Executor& executor) {
+  auto source = live::SimulatedSource::make(room.scene, room.seed);
+  if (!source) return source.error();
+  Result<RoomSetup> setup = furnish(room.name, "scene", std::move(*source), mapping, executor);
+  if (!setup) return setup;
+  setup->speed = room.speed;
+  setup->attended = room.attended;
+  if (!room.session.empty())
+    if (const Result<void> kept = keep_log(*setup, room, mapping, true); !kept) return kept.error();
+  return setup;
+}
+
+Result<RoomSetup> make_log_room(const std::string& name, Log log, double speed, const MappingChoice& mapping,
+                                Executor& executor) {
+  auto source = live::ReplaySource::make(std::move(log));
+  if (!source) return source.error();
+  Result<RoomSetup> setup = furnish(name, "log", std::move(*source), mapping, executor);
+  if (setup) setup->speed = speed;
+  return setup;
+}
+
+Result<SessionStart> read_session_start(const std::filesystem::path& session) {
+  std::optional<SessionStart> start;
+  std::optional<Error> fault;
+  const Result<Log> read = io::read_session(session, [&](const io::SessionLine& line) {
+    if (start) return;
+    const std::optional<Json> setup = setup_of(line);
+    if (!setup || !setup->contains("scene")) return;
+    start.emplace();
+    start->scene = setup->value("scene", "");
+    start->seed = setup->value("seed", std::uint64_t{1});
+    start->speed = setup->value("speed", 1.0);
+    if (auto sensing = make_options<SensingOptions>(options_of((*setup)["sensing"])))
+      start->mapping.sensing = *sensing;
+    else
+      fault = sensing.error();
+    for (const Json& method : (*setup)["methods"])
+      start->mapping.methods.push_back({method.value("name", ""), options_of(method["options"])});
+  });
+  if (!read) return read.error();
+  if (fault) return *fault;
+  if (!start)
+    return Error{ErrorCode::bad_format, "it does not say what it was started with", session.string(),
+                 "map it instead: echoarc map " + session.string() + "/session.jsonl"};
+  return *start;
+}
+
+Result<RoomSetup> resume_scene_room(SceneRoom room, const MappingChoice& mapping, Executor& executor) {
+  // The robot's description is needed before its records; the source itself starts where they end.
+  auto first = live::SimulatedSource::make(room.scene, room.seed);
+  if (!first) return first.error();
+  Result<RoomSetup> setup = furnish(room.name, "scene", std::move(*first), mapping, executor);
+  if (!setup) return setup;
+  Ending ending;
+  const Result<Log> read = io::read_session(room.session, [&](const io::SessionLine& line) {
+    if (const std::optional<Json> change = setup_of(line)) return apply_setup(*change, setup->mapper);
+    const std::optional<live::Record> record = record_of(line);
+    if (!record) return;
+    ending.heed(*record);
+    setup->mapper.push(*record);
+    setup->scores.push(*record);
+  });
+  if (!read) return read.error();
+  if (!(read->robot == room.scene.robot))
+    return Error{ErrorCode::bad_format, "the session was recorded by another robot than the scene's",
+                 room.session.string(), "resume it with the scene it was started with"};
+  while (setup->mapper.work(10'000)) {
+  }
+  auto source = live::SimulatedSource::make(room.scene, room.seed, {}, ending.continuation());
+  if (!source) return source.error();
+  setup->source = std::move(*source);
+  setup->speed = room.speed;
+  setup->attended = room.attended;
+  if (const Result<void> kept = keep_log(*setup, room, mapping, false); !kept) return kept.error();
+  return setup;
+}
+
+}  // namespace echoarc::server

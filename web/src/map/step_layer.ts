@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+/** Layer 13 in step mode: one ping over the map before it, part by part. */
+import type { Stepped } from '../protocol/messages.ts';
+import type { Box } from './camera.ts';
+import { outlineCell } from './explain_layer.ts';
+import type { StepSwitches } from './map_view.ts';
+import { withAlpha } from './palette.ts';
+import { drawMark, type Pen } from './pen.ts';
+import { drawGhost } from './robot.ts';
+
+export interface StepView { stepped: Stepped; part: number; cell: { i: number; j: number } | null; switches: StepSwitches }
+
+const numbersFromPx = 30;
+const outlinesFromPx = 24;
+/** Change in log-odds (or the method's unit) that is drawn at full strength. */
+const fullChange = 2;
+
+/** The ping as odometry had it, or moved to where the robot truly was. */
+export function stepPose({ stepped, switches }: StepView): { x: number; y: number; yaw: number; robot: readonly [number, number, number] } {
+  const [x, y, yaw] = stepped.ping.T_world_tx;
+  const robot = stepped.ping.T_world_robot;
+  const truth = stepped.true_pose;
+  if (!switches.truePose || !truth) return { x, y, yaw, robot };
+  const turn = truth[2] - robot[2];
+  const [c, s] = [Math.cos(turn), Math.sin(turn)];
+  const [dx, dy] = [x - robot[0], y - robot[1]];
+  return { x: truth[0] + c * dx - s * dy, y: truth[1] + s * dx + c * dy, yaw: yaw + turn, robot: truth };
+}
+
+function drawCells(pen: Pen, { stepped, cell }: StepView): void {
+  const size = stepped.cell_m ?? 0;
+  const px = size * pen.s;
+  const { g, palette: { rgb, css, dark, font } } = pen;
+  if (px <= 0) return;
+  g.textAlign = 'center';
+  g.textBaseline = 'middle';
+  g.font = `500 ${Math.min(13, 0.3 * px)}px ${font}`;
+  for (const c of stepped.cells) {
+    const change = c.after - c.before;
+    if (change === 0) continue;
+    const strength = Math.max(0.1, Math.min(0.85, 0.1 + (0.75 * Math.abs(change)) / fullChange));
+    const left = pen.x(c.x - size / 2);
+    const top = pen.y(c.y + size / 2);
+    g.fillStyle = withAlpha(change > 0 ? rgb.fuller : rgb.emptier, strength);
+    g.fillRect(left + 0.5, top + 0.5, px - 1, px - 1);
+    if (px < numbersFromPx) continue;
+    g.fillStyle = strength > 0.62 && !dark ? css.surface : css.ink;
+    g.fillText(`${change > 0 ? '+' : '−'}${Math.abs(change).toFixed(1)}`, left + px / 2, top + px / 2 + 1);
+  }
+  const chosen = cell && stepped.cells.find((c) => c.i === cell.i && c.j === cell.j);
+  if (chosen) outlineCell(pen, chosen.x, chosen.y, size);
+}
+
+/** Hairlines between the method's cells, once these are large enough. */
+export function drawCellLines(pen: Pen, cellM: number, originX: number, originY: number): void {
+  const px = cellM * pen.s;
+  if (px < outlinesFromPx) return;
+  const { g, area, camera } = pen;
+  const left = camera.x - area.width / 2 / pen.s;
+  const bottom = camera.y - area.height / 2 / pen.s;
+  g.beginPath();
+  for (let x = originX + Math.ceil((left - originX) / cellM) * cellM; pen.x(x) < area.x + area.width; x += cellM) {
+    const at = Math.round(pen.x(x)) + 0.5;
+    g.moveTo(at, area.y);
+    g.lineTo(at, area.y + area.height);
+  }
+  for (let y = originY + Math.ceil((bottom - originY) / cellM) * cellM; pen.y(y) > area.y; y += cellM) {
+    const at = Math.round(pen.y(y)) + 0.5;
+    g.moveTo(area.x, at);
+    g.lineTo(area.x + area.width, at);
+  }
+  pen.stroke(withAlpha(pen.palette.rgb.cross, 0.75), 1);
+}
+
+function drawArcs(pen: Pen, { stepped }: StepView): void {
+  const { rgb, css } = pen.palette;
+  for (const arc of stepped.arcs) {
+    const [x, y, yaw] = arc.ping.T_world_tx;
+    const r = arc.ping.range_m ?? 0;
+    const half = arc.ping.beam_width / 2;
+    pen.g.beginPath();
+    pen.arc(x, y, r, yaw - half, yaw + half);
+    pen.stroke(withAlpha(rgb.hit, arc.what === 'crossed' ? 0.62 : 0.3), 1.75);
+    if (arc.t_begin !== null && arc.t_end !== null) {
+      pen.g.beginPath();
+      pen.arc(x, y, r, yaw + arc.t_begin, yaw + arc.t_end);
+      pen.stroke(arc.what === 'crossed' ? css.hit : css.rej, 3, arc.what === 'removed' ? [4, 3] : []);
+    }
+    if (arc.x === null || arc.y === null) continue;
+    pen.dot(arc.x, arc.y, 4, css.surface);
+    pen.stroke(css.hit, 1.75);
+  }
+  for (const [x, y] of stepped.points) drawMark(pen.g, 1, pen.x(x), pen.y(y), 6, css.atm);
+}
+
+export function drawStep(pen: Pen, view: StepView, robotRadiusM: number): void {
+  const { stepped, part, switches } = view;
+  const { g, palette: { css, rgb } } = pen;
+  const { x, y, yaw } = stepPose(view);
+  if (part >= 4 && stepped.used) {
+    drawCells(pen, view);
+    drawArcs(pen, view);
+  }
+  if (switches.truePose && stepped.true_pose) drawGhost(pen, stepped.ping.T_world_robot[0], stepped.ping.T_world_robot[1], robotRadiusM);
+  const half = switches.ray ? 0 : stepped.ping.beam_width / 2;
+  const range = stepped.ping.range_m ?? stepped.ping.trusted_range_m;
+  const colour = stepped.ping.outcome === 'rejected' ? 'rej' : stepped.ping.outcome === 'echo' ? 'hit' : 'none';
+  if (part >= 3 || part === 1) {
+    pen.sector(x, y, yaw, half, range);
+    pen.stroke(css[colour], 1.5, colour === 'rej' ? [5, 4] : []);
+    if (part === 3 && !switches.ray) {
+      g.fillStyle = withAlpha(rgb[colour], 0.1);
+      g.fill();
+    }
+  }
+  g.beginPath();
+  pen.move(x, y);
+  pen.line(x + range * Math.cos(yaw), y + range * Math.sin(yaw));
+  pen.stroke(css[colour], 1, [3, 3]);
+  if (part >= 3 && stepped.ping.outcome === 'echo') {
+    g.lineCap = 'round';
+    g.beginPath();
+    pen.arc(x, y, range, yaw - half, yaw + half);
+    pen.stroke(css.hit, 4);
+    g.lineCap = 'butt';
+    if (switches.ray) pen.dot(x + range * Math.cos(yaw), y + range * Math.sin(yaw), 5, css.hit);
+  }
+  pen.dot(x, y, 5, css[colour]);
+}
+
+export function stepBox(view: StepView): Box {
+  const { x, y, yaw } = stepPose(view);
+  const { ping } = view.stepped;
+  const r = ping.range_m ?? ping.trusted_range_m;
+  const xs = [x, ping.T_world_robot[0]];
+  const ys = [y, ping.T_world_robot[1]];
+  for (const t of [-ping.beam_width / 2, 0, ping.beam_width / 2]) {
+    xs.push(x + r * Math.cos(yaw + t));
+    ys.push(y + r * Math.sin(yaw + t));
+  }
+  return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+/** Switch between side by side, swipe and blend; labels of the panes; the divider. */
+import { markOf } from '../panels/method_rows.ts';
+import { compared } from '../panels/compare_panel.ts';
+import { refill } from '../panels/refill.ts';
+import type { App } from './app.ts';
+import { h } from './dom.ts';
+import { centimetres } from './format.ts';
+
+const modes = [['side', 'Side by side'], ['swipe', 'Swipe'], ['blend', 'Blend']] as const;
+
+export function mountCompareBar(app: App, over: HTMLElement): void {
+  const { model } = app;
+  const set = (change: Partial<typeof model.view.compare>): void => model.show({ compare: { ...model.view.compare, ...change } });
+  const buttons = modes.map(([mode, label]) => h('button', { 'aria-pressed': 'false' }, label, { click: () => set({ mode, methods: compared(app) }) }));
+  const blend = h('input', { type: 'range', class: 'slide', min: 0, max: 1, step: 0.01, 'aria-label': 'Blend' });
+  blend.addEventListener('input', () => set({ blend: Number(blend.value) }));
+  const bar = h('div', { class: 'cbar', hidden: true }, [h('div', { class: 'seg' }, buttons), blend]);
+  const labels = h('div'), divider = h('div', { class: 'clsw', role: 'slider', tabindex: 0, 'aria-label': 'Divider', 'aria-valuemin': 0, 'aria-valuemax': 100 });
+  over.append(labels, divider, bar);
+  const width = (): number => app.mapHost.clientWidth;
+  const move = (place: number): void => set({ swipe: Math.max(0.02, Math.min(0.98, place)) });
+  divider.addEventListener('pointerdown', (event) => divider.setPointerCapture(event.pointerId));
+  divider.addEventListener('pointermove', (event) => { if (divider.hasPointerCapture(event.pointerId)) move((event.clientX - app.mapHost.getBoundingClientRect().left) / width()); });
+  divider.addEventListener('keydown', (event) => {
+    const by = event.key === 'ArrowLeft' ? -1 : event.key === 'ArrowRight' ? 1 : 0;
+    if (by === 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    move(model.view.compare.swipe + (by * (event.shiftKey ? 10 : 1)) / width());
+  });
+  const update = (): void => {
+    const on = model.view.name === 'compare';
+    const { mode, swipe } = model.view.compare;
+    if (on && model.view.compare.methods.length === 0 && model.methods) { set({ methods: compared(app) }); return; }
+    bar.hidden = !on;
+    labels.hidden = !on;
+    divider.hidden = !on || mode !== 'swipe';
+    blend.hidden = mode !== 'blend';
+    if (!on) return;
+    blend.value = String(model.view.compare.blend);
+    buttons.forEach((b, i) => { const here = modes[i]?.[0] === mode; b.classList.toggle('on', here); b.setAttribute('aria-pressed', String(here)); });
+    divider.style.setProperty('left', `${swipe * 100}%`);
+    divider.setAttribute('aria-valuenow', String(Math.round(swipe * 100)));
+    showLabels(app, labels);
+  };
+  for (const topic of ['view', 'methods', 'scores'] as const) model.on(topic, update);
+  addEventListener('resize', () => requestAnimationFrame(update));
+}
+
+function showLabels(app: App, host: HTMLElement): void {
+  const { mode, swipe, methods } = app.model.view.compare;
+  const error = (m: string): number | null => app.model.scores?.methods.find((s) => s.method === m)?.mae_m ?? null;
+  const places = methods.slice(0, mode === 'side' ? 4 : 2).map((method, i, all) => {
+    if (mode !== 'side') return { method, x: i === 0 ? 0 : mode === 'swipe' ? swipe : 0.5, y: 0 };
+    return { method, x: all.length === 1 ? 0 : (i % 2) / 2, y: all.length > 2 ? Math.floor(i / 2) / 2 : 0 };
+  });
+  const best = places.map((p) => error(p.method) ?? Number.POSITIVE_INFINITY).reduce((a, b) => Math.min(a, b), Number.POSITIVE_INFINITY);
+  refill(host, places.map(({ method, x, y }) => {
+    const e = error(method);
+    const label = h('div', { class: 'pl' }, [markOf(app, method), app.titleOf(method), e !== null && h('small', {}, `${centimetres(e)} error`), e !== null && e === best && h('span', { class: 'best' }, 'closest')]);
+    label.style.setProperty('left', `calc(${x * 100}% + 14px)`);
+    label.style.setProperty('top', `calc(${y * 100}% + 12px)`);
+    return label;
+  }));
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+/** Every sentence the page says. */
+import { capital, clock, size, whole, words as plain } from './ui/format.ts';
+
+export const words = {
+  stop: 'Stop', stopped: 'Stopped', cannotReach: 'cannot reach it', space: 'Space',
+  live: 'Live', held: 'Held', backToLive: 'Back to live', connecting: 'Connecting', reconnecting: 'Reconnecting',
+  saveMap: 'Save map', drive: 'Drive', handOver: 'Hand over', keep: 'Keep', askToDrive: 'Ask to drive',
+  youDrive: 'You are driving', tryNow: 'Try now', reload: 'Reload', reconnect: 'Reconnect', driveAgain: 'Drive again',
+  hint: 'Click a point to see the pings behind it', hideHint: 'Hide this hint',
+  back: 'Methods and layers', addMethod: '+ Add method', nobody: 'Nobody, the robot stands',
+  noScore: 'No truth or laser in this source, so no score.', scoresLater: 'Scores appear with the first points.',
+  noPoints: 'no points yet', notHere: 'not in this source', linkCopied: 'Link copied', updated: 'The server was updated.',
+  tokenDialog: 'Open the drive link printed where echoarc was started, or paste its token.',
+  tokenWrong: 'That token is not valid here. The right one is in the link printed at start.',
+  slow: 'This page could not keep up and was disconnected. The robot is not affected.',
+  noWebGl: 'Drawing without graphics acceleration; large maps may be slow.',
+  nothingNear: 'Nothing within 8 px. Cells can be clicked from zoom 90.',
+  stillLostTitle: 'Still no connection',
+  stillLost: 'echoarc may have ended. Its log is saved; `echoarc serve --resume DIR` continues the same map.',
+  noneDroppedSilently: 'Nothing is dropped silently. This is where they went:',
+  noPings: 'No pings yet', onlyDriver: 'Only the driver changes options.', mapSwitches: 'The map switches when it is done.',
+  dropBody: 'It maps with the methods you have chosen. The running robot keeps its own log.',
+  asksToDrive: (name: string): string => `${name} asks to drive`,
+  lostTitle: (s: number): string => `Connection lost ${Math.round(s)} s ago`,
+  lostBody: (t: number, who: string, retryS: number): string =>
+    `The view is held at ${clock(t)}. ${who} ${retryS > 0 ? `Trying again in ${Math.ceil(retryS)} s.` : 'Trying again now.'}`,
+  backAgain: (pings: number): string => `Connected again. ${whole(pings)} pings came in between; all are on the map.`,
+  lostDriving: 'You no longer drive: nothing reached the robot for 0.5 s, so it stopped.',
+  noneOnMap: (pings: number): string => `${whole(pings)} pings came, none made it onto the map`,
+  dropTitle: (name: string): string => `Drop to open ${name}`,
+  unknownFile: (name: string): string => `echoarc cannot read ${name}. It reads JSON Lines, CARMEN logs and CSV with a description.`,
+  tooLarge: (bytes: number, limit: number): string =>
+    `${size(bytes)} is more than this server takes (${size(limit)}). Start \`echoarc serve --log FILE\` instead.`,
+  obstacle: (cm: number): string => `Stopped: obstacle ${whole(cm)} cm ahead. Drive back, or turn.`,
+  outOfRange: (title: string, from: string, to: string): string => `${title} must be from ${from} to ${to}.`,
+  saved: (name: string, bytes: number): string => `Saved ${name}, ${size(bytes)}`,
+};
+
+const modeWords: Record<string, string> = {
+  stand: 'Standing', tour: 'Touring by itself', drive: 'Driven', goto: 'Going to a point', explore: 'Exploring by itself',
+  follow_left: 'Following the left wall', follow_right: 'Following the right wall',
+};
+const modeActions: Record<string, string> = {
+  stand: 'Stand', tour: 'Tour', goto: 'Go to point', explore: 'Explore', follow_left: 'Follow left wall', follow_right: 'Follow right wall',
+};
+export const modeNow = (mode: string): string => modeWords[mode] ?? capital(plain(mode));
+export const modeAction = (mode: string): string => modeActions[mode] ?? capital(plain(mode));
+
+/** Who moved the robot when the connection broke, and what that means now. */
+export function whoDrove(mode: string, driver: string | null, iDrove: boolean): string {
+  if (iDrove) return 'You were driving; the robot stops by itself half a second after its driver is gone.';
+  if (driver !== null) return `${driver} was driving and may still be.`;
+  if (mode === 'stand' || mode === '') return 'It was standing still.';
+  const was = modeNow(mode);
+  return `It was ${was.charAt(0).toLowerCase()}${was.slice(1)} and may go on; its obstacle stop does not need this page.`;
+}
