@@ -132,11 +132,14 @@ void HttpSession::read_body() {
 }
 
 void HttpSession::on_upload() {
-  const Result<std::string> room = core_.open_log(std::move(parser_->get().body()));
-  if (room) return answer(Status::ok, json_type, text_of({{"room", *room}}));
-  const bool full = room.error().code == ErrorCode::too_large;
-  const std::string where = room.error().where.empty() ? "" : room.error().where + ": ";
-  refuse(full ? Status::service_unavailable : Status::bad_request, where + room.error().message, room.error().remedy);
+  stream_.expires_after(upload_timeout);
+  core_.open_log(std::move(parser_->get().body()), [self = shared_from_this()](const Result<std::string>& room) {
+    if (room) return self->answer(Status::ok, json_type, text_of({{"room", *room}}));
+    const bool full = room.error().code == ErrorCode::too_large;
+    const std::string where = room.error().where.empty() ? "" : room.error().where + ": ";
+    self->refuse(full ? Status::service_unavailable : Status::bad_request, where + room.error().message,
+                 room.error().remedy);
+  });
 }
 
 void HttpSession::route() {
@@ -149,9 +152,11 @@ void HttpSession::route() {
   if (!may_watch())
     return refuse(Status::unauthorized, "this server is private: it needs the token", "open the drive link");
   if (path == "/api/state") return get_state();
+  if (path == "/api/parameters") return answer(Status::ok, json_type, core_.options.parameters);
+  download_ = core_.admit_download();
+  if (!download_) return refuse(Status::service_unavailable, "too much is asked at once", "ask again in a moment");
   if (path == "/api/run.json") return get_run_report();
   if (path == "/api/log") return get_log();
-  if (path == "/api/parameters") return answer(Status::ok, json_type, core_.options.parameters);
   if (path.starts_with(maps)) return get_map(path.substr(maps.size()));
   refuse(Status::not_found, "there is nothing here", "docs/live.md lists what there is");
 }
@@ -289,6 +294,7 @@ void HttpSession::write(Response response) {
   auto shared = std::make_shared<Response>(std::move(response));
   stream_.expires_after(answer_timeout);
   http::async_write(stream_, *shared, [self = shared_from_this(), shared](error_code failed, std::size_t) {
+    self->download_.reset();
     if (failed) return;
     if (self->keep_alive_) return self->read_head();
     error_code ignored;

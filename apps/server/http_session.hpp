@@ -56,6 +56,7 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
   // Of the request that is being answered:
   bool keep_alive_ = false;
   std::string target_;
+  std::shared_ptr<int> download_;  // while a map or log is on its way out
 };
 
 }  // namespace echoarc::server

@@ -22,6 +22,7 @@ inline constexpr std::chrono::seconds slow_viewer_timeout{10};  ///< a bundle th
 inline constexpr double messages_per_s = 100.0;                 ///< of one viewer, on average
 inline constexpr double message_burst = 300.0;
 inline constexpr std::size_t max_waiting_answers = 256;        ///< of one viewer
+inline constexpr std::size_t max_downloads = 4;                ///< maps and logs on their way out at once
 inline constexpr std::size_t max_rooms = 5;                    ///< the main one and four opened from the page
 inline constexpr std::chrono::seconds empty_room_timeout{60};  ///< then an opened room is closed
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t crowd = 20'000;          // records
 constexpr std::size_t slice_readings = 1'000;  // of a recomputation, between records
-constexpr double publish_interval_s = 0.1;
+constexpr double publish_interval_s = 0.05;
+constexpr double map_interval_s = 0.1;
 constexpr double looking_share = 0.2;  // of the time, at the most
 constexpr double path_step_m = 0.02;
 
@@ -107,11 +108,10 @@ void MappingLoop::work() {
     }
     take(inbox);
     more = mapper_.work(slice_readings);
-    const double begin_s = host::wall_time_s();
-    if (begin_s < next_publication_s) continue;
-    publish();
-    const double end_s = host::wall_time_s();
-    next_publication_s = std::max(begin_s + publish_interval_s, end_s + (end_s - begin_s) / looking_share);
+    const double now_s = host::wall_time_s();
+    if (now_s < next_publication_s) continue;
+    next_publication_s = now_s + publish_interval_s;
+    publish(now_s);
   }
 }
 
@@ -132,32 +132,43 @@ void MappingLoop::take(Inbox& inbox) {
   for (const auto& job : inbox.jobs) {
     Access access{mapper_, scores_};
     job(access);
-    if (access.changed) next_second_s_ = 0.0;
+    if (access.changed) next_second_s_ = next_maps_s_ = 0.0;
   }
 }
 
-void MappingLoop::publish() {
-  mapper_.refresh();
+void MappingLoop::publish(double now_s) {
+  auto publication = std::make_shared<Publication>();
+  if (now_s >= next_maps_s_) {
+    refresh_maps(*publication);
+    const double end_s = host::wall_time_s();
+    next_maps_s_ = std::max(now_s + map_interval_s, end_s + (end_s - now_s) / looking_share) - publish_interval_s / 2.0;
+  }
   note_methods();
   extend_path();
-  auto publication = std::make_shared<Publication>();
   publication->readings = mapper_.readings();
   publication->path = path_;
   publication->run = run_;
   publication->methods_version = methods_version_;
   publication->methods = methods_;
+  publication->deltas = deltas_;
+  tell_each_second(*publication, now_s);
+  host_.published(std::move(publication));
+}
+
+void MappingLoop::refresh_maps(Publication& publication) {
+  mapper_.refresh();
+  note_methods();
+  deltas_.clear();
   const auto methods = mapper_.methods();
   for (std::size_t i = 0; i < methods.size(); ++i) {
     std::uint32_t& from = published_[methods[i].choice.name];
-    publication->deltas.push_back(delta(methods[i], i, from));
-    from = publication->deltas.back().to;
+    deltas_.push_back(delta(methods[i], i, from));
+    from = deltas_.back().to;
     if (methods[i].state == live::RunningMethod::State::recomputing)
-      publication->recompute.push_back(text_frame(recompute_message(methods[i])));
+      publication.recompute.push_back(text_frame(recompute_message(methods[i])));
   }
   if (!mapper_.laser().empty())
-    publication->laser = encode_positions({.kind = FrameKind::laser, .flags = frame_forgets}, mapper_.laser());
-  tell_each_second(*publication, host::wall_time_s());
-  host_.published(std::move(publication));
+    publication.laser = encode_positions({.kind = FrameKind::laser, .flags = frame_forgets}, mapper_.laser());
 }
 
 void MappingLoop::tell_each_second(Publication& publication, double now_s) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -131,7 +132,9 @@ void Room::greet(Viewer& viewer) {
 
 std::vector<SharedFrame> Room::take(Viewer& viewer) {
   std::map<std::string, std::uint32_t> behind;
-  std::vector<SharedFrame> frames = bundler_.take(viewer, state_, behind);
+  const bool new_state = status_ && viewer.cursor.tick != status_->tick;
+  if (new_state) viewer.cursor.tick = status_->tick;
+  std::vector<SharedFrame> frames = bundler_.take(viewer, new_state ? state_ : nullptr, behind);
   if (!behind.empty() && !viewer.cursor.catching_up) catch_up(viewer, std::move(behind));
   return frames;
 }
@@ -163,11 +166,16 @@ void Room::on_tick(std::shared_ptr<const RobotStatus> status) {
 
 void Room::note_stop(const RobotStatus& status) {
   using live::Reason;
+  constexpr std::int64_t on_the_way_us = 50'000;
+  if (stopped_by_ && status.mono_us < stopped_us_ + on_the_way_us) return;  // from before the stop, perhaps
+  const Reason before = std::exchange(reason_, status.control.reason);
   switch (status.control.reason) {
     case Reason::obstacle: stopped_by_ = StopNote{"obstacle", std::nullopt, ""}; return;
     case Reason::dead_man:
       stopped_by_ = StopNote{"dead_man", std::nullopt, ""};
-      if (const auto driver = rights_.driver(); driver && rights_.leave(*driver)) {
+      // Who came to the right since then has let go of nothing.
+      if (const auto driver = rights_.driver();
+          before != Reason::dead_man && driver && driver == driven_by_ && rights_.leave(*driver)) {
         if (Viewer* viewer = find(*driver)) viewer->send(drive_lost_message("dead_man"));
         tell_viewers();
       }
@@ -181,6 +189,7 @@ void Room::note_stop(const RobotStatus& status) {
 
 void Room::on_published(SharedPublication publication) {
   bundler_.set(std::move(publication));
+  for (Viewer* viewer : viewers_) viewer->offer();
 }
 
 // ---- what viewers say
@@ -217,6 +226,7 @@ void Room::on(Viewer& viewer, const Stop& /*message*/) {
   if (!control_) return;
   stopped_by_ = StopNote{"viewer", viewer.id, viewer.name};
   control_->control([](live::RobotControl& control) { control.stop(); });
+  stopped_us_ = std::llround(host::wall_time_s() * 1e6);
 }
 
 void Room::on(Viewer& viewer, const Take& /*message*/) {
@@ -273,6 +283,7 @@ void Room::on(Viewer& viewer, const DriveMessage& message) {
   if (!may(viewer)) return;
   if (rights_.driver() != viewer.id)
     return refuse(viewer, std::nullopt, {ErrorCode::unsupported, "you do not drive", "", "say take first"});
+  driven_by_ = viewer.id;
   if (control_) control_->drive({message.v_m_s, radians(message.w_rad_s)}, message.seq);
 }
 

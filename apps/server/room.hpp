@@ -127,6 +127,9 @@ class Room : public std::enable_shared_from_this<Room> {
   Bundler bundler_;
   std::shared_ptr<const RobotStatus> status_;
   std::optional<StopNote> stopped_by_;
+  std::int64_t stopped_us_ = 0;  ///< when a viewer stopped it; by the host's clock
+  live::Reason reason_ = live::Reason::none;
+  std::optional<ViewerId> driven_by_;  ///< who gave the newest command
   SharedFrame state_;
   std::shared_ptr<SessionWriter> log_;
   std::unique_ptr<Worker> questions_;

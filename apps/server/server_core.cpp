@@ -42,29 +42,37 @@ std::shared_ptr<Room> ServerCore::add_room(RoomSetup setup) {
              Room::open(std::move(setup), [this](std::function<void()> job) { boost::asio::post(io, std::move(job)); });
 }
 
-Result<std::string> ServerCore::next_room() {
-  if (rooms_.size() >= max_rooms)
-    return Error{ErrorCode::too_large, fmt::format("{} sources are open already", rooms_.size()), "",
-                 "close the pages of one; it is given up a minute later"};
-  return fmt::format("r{}", ++rooms_opened_);
+void ServerCore::open(std::function<Result<RoomSetup>(const std::string& room)> make, Opened opened) {
+  if (rooms_.size() + rooms_opening_ >= max_rooms)
+    return opened(Error{ErrorCode::too_large, fmt::format("{} sources are open already", rooms_.size()), "",
+                        "close the pages of one; it is given up a minute later"});
+  ++rooms_opening_;
+  const std::string name = fmt::format("r{}", ++rooms_opened_);
+  const bool taken = opener_.post([this, make = std::move(make), opened, name] {
+    auto setup = std::make_shared<Result<RoomSetup>>(make(name));
+    boost::asio::post(io, [this, setup, opened, name] {
+      --rooms_opening_;
+      if (!*setup) return opened(setup->error());
+      add_room(std::move(**setup));
+      opened(name);
+    });
+  });
+  if (taken) return;
+  --rooms_opening_;
+  opened(Error{ErrorCode::too_large, "too many sources are being opened", "", "try again in a moment"});
 }
 
-Result<std::string> ServerCore::open_scene(const std::string& scene) {
-  const Result<std::string> name = next_room();
-  if (!name) return name;
-  Result<RoomSetup> setup = openers.scene(scene, *name);
-  if (!setup) return setup.error();
-  add_room(std::move(*setup));
-  return name;
+void ServerCore::open_scene(const std::string& scene, Opened opened) {
+  open([this, scene](const std::string& room) { return openers.scene(scene, room); }, std::move(opened));
 }
 
-Result<std::string> ServerCore::open_log(std::string log) {
-  const Result<std::string> name = next_room();
-  if (!name) return name;
-  Result<RoomSetup> setup = openers.log(std::move(log), *name);
-  if (!setup) return setup.error();
-  add_room(std::move(*setup));
-  return name;
+void ServerCore::open_log(std::string log, Opened opened) {
+  open([this, log = std::move(log)](const std::string& room) { return openers.log(log, room); }, std::move(opened));
+}
+
+std::shared_ptr<int> ServerCore::admit_download() {
+  if (downloads_.use_count() > static_cast<long>(max_downloads)) return nullptr;
+  return downloads_;
 }
 
 void ServerCore::close_empty_rooms(double now_s) {
@@ -81,6 +89,8 @@ void ServerCore::close_empty_rooms(double now_s) {
       continue;
     }
     empty_since_s_.erase(name);
+    // Its threads end where nobody waits for them.
+    (void)opener_.post([closing = std::move(it->second)]() mutable { closing.reset(); });
     it = rooms_.erase(it);
   }
 }

@@ -14,6 +14,7 @@
 
 #include "server/limits.hpp"
 #include "server/server.hpp"
+#include "server/worker.hpp"
 
 namespace echoarc::server {
 
@@ -43,8 +44,12 @@ class ServerCore {
 
   [[nodiscard]] std::shared_ptr<Room> room(std::string_view name) const;  ///< null: there is none; "": the main one
   std::shared_ptr<Room> add_room(RoomSetup setup);
-  [[nodiscard]] Result<std::string> open_scene(const std::string& scene);  ///< name of its room
-  [[nodiscard]] Result<std::string> open_log(std::string log);
+  /// The name of the new room, or why there is none. Worlds and logs are read on a thread of their own.
+  using Opened = std::function<void(Result<std::string>)>;
+  void open_scene(const std::string& scene, Opened opened);
+  void open_log(std::string log, Opened opened);
+  /// Held by an answer that costs memory or time while it is made and sent; null when too many are.
+  [[nodiscard]] std::shared_ptr<int> admit_download();
   void close_empty_rooms(double now_s);
   [[nodiscard]] bool is_token(std::string_view token);
   [[nodiscard]] ViewerId next_viewer() { return ++last_viewer_; }
@@ -57,14 +62,17 @@ class ServerCore {
 
  private:
   void give_back(const std::string& address);
-  [[nodiscard]] Result<std::string> next_room();
+  void open(std::function<Result<RoomSetup>(const std::string& room)> make, Opened opened);
 
   std::map<std::string, std::shared_ptr<Room>, std::less<>> rooms_;
   std::map<std::string, double> empty_since_s_;
   std::map<std::string, std::size_t> connections_;
   std::size_t all_connections_ = 0;
+  std::size_t rooms_opening_ = 0;
   std::uint64_t rooms_opened_ = 0;
+  std::shared_ptr<int> downloads_ = std::make_shared<int>(0);  // as many as hold it besides us
   ViewerId last_viewer_ = 0;
+  Worker opener_{max_rooms * 4};
 };
 
 }  // namespace echoarc::server

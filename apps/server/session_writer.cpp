@@ -14,6 +14,7 @@ namespace echoarc::server {
 namespace {
 
 constexpr std::chrono::milliseconds group_interval{50};
+constexpr std::size_t max_waiting_bytes = std::size_t{64} << 20U;
 
 template <class... Fs>
 struct Overloaded : Fs... {
@@ -69,6 +70,9 @@ void SessionWriter::add_line(const io::SessionLine& line) {
   const std::lock_guard lock(mutex_);
   if (status_.state != io::SessionLog::State::on) return;
   (void)io::append_line(line, waiting_);  // what is not finite has no line; sensing counts it
+  if (waiting_.size() <= max_waiting_bytes) return;
+  status_ = {io::SessionLog::State::full, status_.bytes, "the disk does not keep up"};
+  given_up_ = true;
 }
 
 SessionWriter::Status SessionWriter::status() {
@@ -89,7 +93,7 @@ void SessionWriter::work() {
       log_.sync();
     }
     lock.lock();
-    status_ = {log_.state(), log_.bytes(), log_.message()};
+    if (!given_up_) status_ = {log_.state(), log_.bytes(), log_.message()};
   }
 }
 

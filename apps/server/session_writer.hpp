@@ -44,7 +44,8 @@ class SessionWriter {
   std::string waiting_;
   Status status_;
   bool closing_ = false;
-  io::SessionLog log_;  // of the thread alone
+  bool given_up_ = false;  // more waited than the disk took
+  io::SessionLog log_;     // of the thread alone
   std::thread thread_;
 };
 

@@ -18,7 +18,8 @@ namespace echoarc::server {
 
 /// What a viewer has already been sent; what it lacks is computed from here (docs/adr/0010).
 struct ViewerCursor {
-  bool greeted = false;  ///< it has the history; before, it gets nothing but answers
+  std::uint64_t tick = 0;  ///< of the newest state
+  bool greeted = false;    ///< it has the history; before, it gets nothing but answers
   std::uint64_t run = 0;
   std::size_t pings = 0;
   std::size_t path = 0;
@@ -33,7 +34,7 @@ struct ViewerCursor {
 class Viewer {
  public:
   virtual ~Viewer() = default;
-  /// A new state is there: takes what it lacks, unless it is still busy with the last bundle.
+  /// Something new is there: takes what it lacks, unless it is still busy with the last bundle.
   virtual void offer() = 0;
   /// An answer, or something said to this viewer alone.
   virtual void send(std::string text) = 0;
@@ -45,7 +46,7 @@ class Viewer {
   std::string name;
   bool may_drive = false;
   std::optional<std::set<std::string, std::less<>>> subscribed;  ///< none: all methods
-  std::uint64_t dropped = 0;                                     ///< states it was spared
+  std::uint64_t dropped = 0;                                     ///< bundles it was spared
   ViewerCursor cursor;
 
   [[nodiscard]] bool wants(const std::string& method) const { return !subscribed || subscribed->contains(method); }

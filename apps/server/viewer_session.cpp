@@ -23,6 +23,7 @@ namespace {
 constexpr auto wants_token = static_cast<websocket::close_code>(4001);
 constexpr auto too_slow = static_cast<websocket::close_code>(4008);
 constexpr std::chrono::seconds silence_timeout{30};
+constexpr const char* protocol = "echoarc.v1";
 
 }  // namespace
 
@@ -45,9 +46,11 @@ void ViewerSession::run(Request request) {
   request_ = std::move(request);
   beast::get_lowest_layer(socket_).expires_never();  // the socket has time-outs of its own
   socket_.set_option(websocket::stream_base::timeout{header_timeout, silence_timeout, true});
-  socket_.set_option(websocket::stream_base::decorator([](websocket::response_type& response) {
+  const auto offered = request_[beast::http::field::sec_websocket_protocol];
+  const bool ours = std::string_view(offered.data(), offered.size()).find(protocol) != std::string_view::npos;
+  socket_.set_option(websocket::stream_base::decorator([ours](websocket::response_type& response) {
     response.set(beast::http::field::server, "echoarc");
-    response.set(beast::http::field::sec_websocket_protocol, "echoarc.v1");
+    if (ours) response.set(beast::http::field::sec_websocket_protocol, protocol);
   }));
   socket_.read_message_max(max_message_bytes);
   socket_.auto_fragment(false);
@@ -117,11 +120,12 @@ void ViewerSession::open_scene(const OpenScene& message) {
   if (!may_drive)
     return refuse(message.id, {ErrorCode::unsupported, "this needs the token", "",
                                "open the drive link that was printed where echoarc was started"});
-  const Result<std::string> room = core_.open_scene(message.scene);
-  if (room)
-    send(opened_message(message.id, *room));
-  else
-    refuse(message.id, room.error());
+  core_.open_scene(message.scene, [self = shared_from_this(), id = message.id](const Result<std::string>& room) {
+    if (room)
+      self->send(opened_message(id, *room));
+    else
+      self->refuse(id, room.error());
+  });
 }
 
 void ViewerSession::refuse(std::optional<MessageId> message_id, const Error& error) {

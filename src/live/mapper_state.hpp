@@ -109,8 +109,7 @@ class Mapper::State {
   std::unique_ptr<JudgedStream> plain;
   std::unique_ptr<JudgedStream> limited;  ///< where the robot has lasers, and readings are not limited anyway
   std::vector<RunningMethod> methods;
-  std::vector<Entry> entries;    ///< in the order of `methods`
-  std::uint32_t removed_at = 0;  ///< highest sequence number of a method that was removed
+  std::vector<Entry> entries;  ///< in the order of `methods`
   std::set<SensorId> off;
   std::uint32_t removed_at = 0;  ///< newest sequence number of the maps that were removed
   TimelineBins timeline;

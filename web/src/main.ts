@@ -7,12 +7,14 @@ import { Driving } from './drive/driving.ts';
 import { mountPad } from './drive/pad.ts';
 import { followRights } from './drive/rights.ts';
 import { mountStop } from './drive/stop_button.ts';
+import { createExplainPanel } from './explain/explain_panel.ts';
 import { createMapView } from './map/map_view.ts';
 import { createModel } from './model/page_model.ts';
 import { makeComparePanel } from './panels/compare_panel.ts';
 import { makeLivePanel } from './panels/live_panel.ts';
 import { makeOptionsPanel } from './panels/options_panel.ts';
 import { makeSensorPanel } from './panels/sensor_panel.ts';
+import { createStepPanel } from './step/step_panel.ts';
 import { methodShort, methodTitle, registerPanel, type App } from './ui/app.ts';
 import { mountCompareBar } from './ui/compare_bar.ts';
 import { byId } from './ui/dom.ts';
@@ -35,6 +37,8 @@ function start(): void {
     model, map, mapHost, driving: new Driving(model), titleOf: (method) => methodTitle(model, method), shortOf: (method) => methodShort(model, method),
   };
   registerPanel('map', makeLivePanel);
+  registerPanel('explain', createExplainPanel);
+  registerPanel('step', createStepPanel);
   registerPanel('compare', makeComparePanel);
   registerPanel('options', makeOptionsPanel);
   registerPanel('sensor', makeSensorPanel);

@@ -4,116 +4,112 @@
 #include "server/session_writer.hpp"
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
+#include <limits>
 #include <thread>
-#include <variant>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "support/temp_folder.hpp"
+#include "unit/server/room_fixture.hpp"
 
-namespace echoarc::server {
+namespace echoarc::server::test {
 namespace {
 
-Log robot() {
+using echoarc::test::TempFolder;
+
+Log header() {
   Log log;
-  log.robot.name = "two ears";
+  log.robot = live::plain_room().robot;
   return log;
 }
-
-io::SessionLog created(const std::filesystem::path& folder, const io::SessionLogLimits& limits = {}) {
-  Result<io::SessionLog> log = io::SessionLog::create(folder, robot(), limits);
-  if (!log) throw std::runtime_error(log.error().message);
-  return std::move(log).value();
+std::string text_of(const io::SessionLine& line) {
+  std::string text;
+  EXPECT_TRUE(io::append_line(line, text));
+  return text;
 }
-
-std::vector<io::SessionLine> lines_of(const std::filesystem::path& folder) {
+std::vector<io::SessionLine> lines_in(const std::filesystem::path& folder) {
   std::vector<io::SessionLine> lines;
-  const Result<Log> log = io::read_session(folder, [&](io::SessionLine line) { lines.push_back(std::move(line)); });
-  EXPECT_TRUE(log) << log.error().message;
+  const auto read = io::read_session(folder, [&](io::SessionLine line) { lines.push_back(std::move(line)); });
+  EXPECT_TRUE(read) << read.error().message;
   return lines;
 }
-
-Odometry pose(double time_s) {
-  return {.time_s = time_s, .T_world_robot = {{0.5 * time_s, 0.25}, radians(0.125)}};
+std::vector<live::Record> every_kind() {
+  return {Odometry{1.0, {{2.0, 3.0}, radians(0.5)}},
+          live::Truth{{1.5, {{2.5, 3.5}, radians(0.25)}}},
+          Ping{.time_s = 2.0, .tx = 1, .rx = 2, .range_m = 1.25},
+          Scan{.time_s = 2.5, .angle_step = radians(0.5), .ranges_m = {1.0F, 2.0F}},
+          Poll{.time_s = 3.0, .ranges_m = {0.5, 0.25}},
+          WallNote{.time_s = 3.5, .side = WallSide::right}};
 }
 
-TEST(SessionWriter, KeepsRecordsInTheirOrder) {
-  const test::TempFolder temporary;
-  const std::filesystem::path folder = temporary.path() / "session";
+TEST(SessionWriter, KeepsEveryKindInOrder) {
+  const TempFolder folder;
   {
-    SessionWriter writer(created(folder));
-    writer.add(pose(1.0));
-    writer.add(live::Truth{pose(1.0)});
-    writer.add(live::CommandNote{1.0, "drive", {0.25, radians(0.5)}});
-    writer.add(Ping{.time_s = 1.5, .tx = 1, .rx = 1, .range_m = 2.25});
-    writer.add_setup(R"({"type":"setup","method_add":"evidence"})");
+    SessionWriter writer(io::SessionLog::create(folder.path(), header()).value());
+    writer.add_setup(R"({"type":"setup","scene":"room"})");
+    for (const live::Record& record : every_kind()) writer.add(record);
+    writer.add(live::CommandNote{4.0, "drive", {0.25, radians(-0.5)}});
   }
-  const auto lines = lines_of(folder);
-  ASSERT_EQ(lines.size(), 5U);
-  const auto first = record_of(lines[0]);
-  ASSERT_TRUE(first && std::holds_alternative<Odometry>(*first));
-  EXPECT_EQ(std::get<Odometry>(*first).T_world_robot, pose(1.0).T_world_robot);
-  const auto second = record_of(lines[1]);
-  EXPECT_TRUE(second && std::holds_alternative<live::Truth>(*second));
-  ASSERT_TRUE(std::holds_alternative<io::OtherLine>(lines[2]));
-  EXPECT_NE(std::get<io::OtherLine>(lines[2]).json.find(R"("mode":"drive")"), std::string::npos);
-  EXPECT_FALSE(record_of(lines[2])) << "commands map nothing";
-  const auto fourth = record_of(lines[3]);
-  ASSERT_TRUE(fourth && std::holds_alternative<Ping>(*fourth));
-  EXPECT_EQ(std::get<Ping>(*fourth).range_m, 2.25);
-  EXPECT_TRUE(std::holds_alternative<io::OtherLine>(lines[4]));
+  const std::vector<io::SessionLine> lines = lines_in(folder.path());
+  ASSERT_EQ(lines.size(), 8U);
+  EXPECT_EQ(std::get<io::OtherLine>(lines[0]).json, R"({"type":"setup","scene":"room"})");
+  EXPECT_FALSE(record_of(lines[0]));
+  for (std::size_t i = 0; i < every_kind().size(); ++i) {
+    const auto record = record_of(lines[i + 1]);
+    ASSERT_TRUE(record) << i;
+    EXPECT_EQ(record->index(), every_kind()[i].index()) << i;
+    EXPECT_EQ(text_of(line_of(*record)), text_of(line_of(every_kind()[i])));
+  }
+  const Value command = Value::parse(std::get<io::OtherLine>(lines[7]).json);
+  EXPECT_EQ(command, (Value{{"type", "command"}, {"t", 4.0}, {"mode", "drive"}, {"v", 0.25}, {"w", -0.5}}));
+  EXPECT_FALSE(record_of(lines[7])) << "commands are not for maps";
 }
 
-TEST(SessionWriter, IsOnTheDiskSoonWithoutBeingAsked) {
-  const test::TempFolder temporary;
-  const std::filesystem::path folder = temporary.path() / "session";
-  SessionWriter writer(created(folder));
-  writer.add(pose(1.0));
-  for (int i = 0; i < 100 && lines_of(folder).empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  EXPECT_EQ(lines_of(folder).size(), 1U);
-}
-
-TEST(SessionWriter, GoesOnBehindALineThatWasCutShort) {
-  const test::TempFolder temporary;
-  const std::filesystem::path folder = temporary.path() / "session";
+TEST(SessionWriter, WhatIsNotFiniteIsLeftOut) {
+  const TempFolder folder;
   {
-    SessionWriter writer(created(folder));
-    writer.add(pose(1.0));
-    writer.add(pose(2.0));
+    SessionWriter writer(io::SessionLog::create(folder.path(), header()).value());
+    writer.add(Odometry{std::numeric_limits<double>::quiet_NaN(), {}});
+    writer.add(Odometry{1.0, {}});
+    writer.add(live::CommandNote{std::numeric_limits<double>::infinity(), "drive", {}});
   }
-  std::ofstream(folder / "session.jsonl", std::ios::app) << R"({"type":"odometry","t":3.0,"x)";
-  EXPECT_EQ(lines_of(folder).size(), 2U);
-  {
-    Result<io::SessionLog> again = io::SessionLog::resume(folder, robot());
-    ASSERT_TRUE(again) << again.error().message;
-    SessionWriter writer(std::move(again).value());
-    writer.add(pose(4.0));
-  }
-  const auto lines = lines_of(folder);
-  ASSERT_EQ(lines.size(), 3U);
-  EXPECT_EQ(std::get<Odometry>(lines[2]).time_s, 4.0);
+  EXPECT_EQ(lines_in(folder.path()).size(), 1U);
 }
 
-TEST(SessionWriter, LimitEndsTheLogAndIsSaid) {
-  const test::TempFolder temporary;
-  const std::filesystem::path folder = temporary.path() / "session";
-  SessionWriter writer(created(folder, {.part_bytes = 2000, .total_bytes = 5000}));
-  for (int i = 0; i < 400; ++i) {
-    writer.add(pose(i));
-    if (i % 20 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(60));
-    if (writer.status().state != io::SessionLog::State::on) break;
+TEST(SessionWriter, SaysWhenItsLimitIsReachedAndGoesOnWithoutWriting) {
+  const TempFolder folder;
+  io::SessionLog log = io::SessionLog::create(folder.path(), header(), {.total_bytes = 4000}).value();
+  const std::uint64_t header_bytes = log.bytes();
+  std::uint64_t bytes = 0;
+  {
+    SessionWriter writer(std::move(log));
+    EXPECT_EQ(writer.status().state, io::SessionLog::State::on);
+    EXPECT_EQ(writer.status().bytes, header_bytes);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (writer.status().state == io::SessionLog::State::on && std::chrono::steady_clock::now() < end) {
+      for (const live::Record& record : every_kind()) writer.add(record);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    const SessionWriter::Status status = writer.status();
+    EXPECT_EQ(status.state, io::SessionLog::State::limit);
+    EXPECT_NE(status.message.find("4000"), std::string::npos) << status.message;
+    bytes = status.bytes;
+    EXPECT_LE(bytes, 4000U);
+    for (int i = 0; i < 1000; ++i) writer.add(Odometry{1.0, {}});
   }
-  const SessionWriter::Status status = writer.status();
-  EXPECT_EQ(status.state, io::SessionLog::State::limit);
-  EXPECT_FALSE(status.message.empty());
-  EXPECT_LE(status.bytes, 5000U);
-  EXPECT_GT(io::session_parts(folder).size(), 1U);
-  const auto lines = lines_of(folder);
-  for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(std::get<Odometry>(lines[i]).time_s, static_cast<double>(i));
+  EXPECT_EQ(std::filesystem::file_size(folder / "session.jsonl"), bytes);
+  EXPECT_EQ(lines_in(folder.path()).size() % every_kind().size(), 0U);
+}
+
+TEST(SessionWriter, WhatIsAddedIsOnDiskSoonAfter) {
+  const TempFolder folder;
+  SessionWriter writer(io::SessionLog::create(folder.path(), header()).value());
+  writer.add(Odometry{1.0, {}});
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (lines_in(folder.path()).empty() && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(lines_in(folder.path()).size(), 1U) << "while it is still open";
 }
 
 }  // namespace
-}  // namespace echoarc::server
+}  // namespace echoarc::server::test

@@ -24,6 +24,8 @@ export function isTall(pieces: readonly Piece[]): boolean {
   return pieces.some((p) => p.kind === 'fraction' || (p.kind === 'power' && isTall(p.base)) || (p.kind === 'bracket' && isTall(p.inside)));
 }
 
+const inOne = (pieces: readonly Piece[]): string => (pieces.length > 1 ? `(${plainText(pieces)})` : plainText(pieces));
+
 /** On one line: "exp(−½(2.1°/6.25)^2)". */
 export function plainText(pieces: readonly Piece[]): string {
   return pieces.map((p) => {
@@ -32,7 +34,7 @@ export function plainText(pieces: readonly Piece[]): string {
       case 'value': return p.text;
       case 'symbol': return p.lower === '' ? p.text : `${p.text}_${p.lower}`;
       case 'function': return p.name;
-      case 'fraction': return `${plainText(p.over)}/${p.under.length > 1 ? `(${plainText(p.under)})` : plainText(p.under)}`;
+      case 'fraction': return `${inOne(p.over)}/${inOne(p.under)}`;
       case 'power': return `${plainText(p.base)}^${plainText(p.exponent)}`;
       case 'bracket': return `(${plainText(p.inside)})`;
     }

@@ -661,7 +661,7 @@ value: (number | null)
 unit: string
 }
 /**
- * One line of a formula. `tree` is a nested list: ["eq"|"add"|"sub"|"mul"|"frac"|"pow"|"exp"|"ln"|"neg", ...trees], ["sym", text] a symbol, ["val", term] the value of a term of the chosen cell, ["num", number].
+ * One line of a formula. `tree` is a nested list: ["eq"|"add"|"sub"|"mul"|"frac"|"pow"|"exp"|"ln"|"neg", ...trees], ["sym", text] a symbol, ["val", term] the value of a term of the chosen cell, ["num", number] or ["num", number, unit].
  */
 export interface Formula {
 words: string

@@ -30,7 +30,7 @@ describe('layout', () => {
     [['pow', ['pow', num(2), num(3)], num(4)], '(2^3)^4'],
     [['neg', ['add', num(1), num(2)]], '−(1 + 2)'],
     [['neg', ['frac', num(1), num(3)]], '−1/3'],
-    [['frac', ['add', num(1), num(2)], ['sub', num(1), val('p')]], '1 + 2/(1 − 0.71)'],
+    [['frac', ['add', num(1), num(2)], ['sub', num(1), val('p')]], '(1 + 2)/(1 − 0.71)'],
     [['exp', ['neg', val('p')]], 'exp(−0.71)'],
     [['ln', ['frac', val('p'), ['sub', num(1), val('p')]]], 'ln 0.71/(1 − 0.71)'],
     [['ln', ['add', num(1), num(2)]], 'ln(1 + 2)'],
