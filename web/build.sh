@@ -23,4 +23,4 @@ mkdir -p "$out"
 "$esbuild" $options --outfile="$out/main.js" src/main.ts
 # shellcheck disable=SC2086
 "$esbuild" $options --outfile="$out/style.css" style/page.css
-cp index.html "$out/"
+cp index.html public/* "$out/"

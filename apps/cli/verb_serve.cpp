@@ -107,7 +107,7 @@ Result<Start> start_scene(const ServeArguments& arguments, server::MappingChoice
   server::SceneRoom room = scene_room(arguments, std::move(file->scene), name);
   room.session = arguments.output.empty() ? default_session() : arguments.output;
   const fs::path session = room.session;
-  Result<server::RoomSetup> setup = server::make_scene_room(std::move(room), mapping, executor());
+  Result<server::RoomSetup> setup = server::make_scene_room(room, mapping, executor());
   if (!setup) return setup.error();
   return Start{std::move(*setup), std::move(mapping), session};
 }
@@ -132,7 +132,7 @@ Result<Start> start_resumed(const ServeArguments& arguments) {
   // Noise goes on otherwise than it began; what was recorded stays as it is.
   room.seed = before->seed + 1;
   room.speed = before->speed;
-  Result<server::RoomSetup> setup = server::resume_scene_room(std::move(room), before->mapping, executor());
+  Result<server::RoomSetup> setup = server::resume_scene_room(room, before->mapping, executor());
   if (!setup) return setup.error();
   return Start{std::move(*setup), std::move(before->mapping), arguments.resume};
 }
@@ -146,7 +146,7 @@ Result<server::RoomSetup> open_builtin_scene(const server::MappingChoice& mappin
   Result<io::SceneFile> file = io::read_scene(*text, name);
   if (!file) return file.error();
   server::SceneRoom room{.name = room_name, .scene = std::move(file->scene), .scene_name = name};
-  return server::make_scene_room(std::move(room), mapping, executor());
+  return server::make_scene_room(room, mapping, executor());
 }
 
 /// A log that came over the network, read under a name that did not.
@@ -343,9 +343,12 @@ Action declare_demo(CLI::App& app) {
   app.add_option("--port", arguments->port, "port to listen on; default 8765, or the next that is free")
       ->check(CLI::Range(0, 65535).description(""))
       ->type_name("N");
+  app.add_option("--duration", arguments->duration_s, "end by itself after so many seconds; with --headless 60")
+      ->check(CLI::Range(0.0, 1e7).description(""))
+      ->type_name("S");
   return [arguments, headless] {
     constexpr double minute_s = 60.0;
-    if (*headless) arguments->duration_s = minute_s;
+    if (*headless && arguments->duration_s < 0.0) arguments->duration_s = minute_s;
     return run(*arguments);
   };
 }
@@ -355,19 +358,20 @@ Action declare_demo(CLI::App& app) {
 Verb serve_verb() {
   return {"serve",
           "a live page of a robot: watch, drive, ask why",
-          {{"echoarc serve --duration 2", "a simulated robot in a room; open the link that is printed"},
-           {"echoarc serve --scene hallway --method all --duration 2", "another scene, and every method"},
+          {{"echoarc serve -o session --duration 2", "a simulated robot in a room; open the link that is printed"},
+           {"echoarc serve --scene hallway --method all -o hall --duration 2", "another scene, and every method"},
            {"echoarc serve --log room.jsonl --speed 4 --duration 2", "a log, played four times as fast"},
-           {"echoarc serve --resume session --duration 0",
-            "the maps of a session that was cut off; without --duration "
-            "it goes on"}},
+           {"echoarc serve --resume session --duration 2",
+            "a session that was cut off goes on; without --duration all of "
+            "them serve until Ctrl-C"}},
           &declare};
 }
 
 Verb demo_verb() {
   return {"demo",
           "the live page, at once: a robot that maps a furnished room",
-          {{"echoarc demo --headless", "a minute without anybody; the maps are saved"}},
+          {{"echoarc demo -o session --duration 2", "open the link that is printed; without --duration until Ctrl-C"},
+           {"echoarc demo --headless --duration 2 -o maps", "with nobody watching; the maps are saved"}},
           &declare_demo};
 }
 

@@ -131,6 +131,7 @@ void Room::greet(Viewer& viewer) {
 }
 
 std::vector<SharedFrame> Room::take(Viewer& viewer) {
+  if (!mapping_) return {};
   std::map<std::string, std::uint32_t> behind;
   const bool new_state = status_ && viewer.cursor.tick != status_->tick;
   if (new_state) viewer.cursor.tick = status_->tick;

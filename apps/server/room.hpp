@@ -71,8 +71,15 @@ class Room : public std::enable_shared_from_this<Room> {
   /// Runs on the thread of questions; false when too many wait.
   [[nodiscard]] bool ask(Worker::Job job) { return questions_->post(std::move(job)); }
   [[nodiscard]] const Post& post() const { return post_; }
-  /// Stops the robot and its loops; the mapper is then still answered by `with_mapper`.
+  /// Ends the robot; maps and questions are still answered.
   void end_control() { control_.reset(); }
+  /// Ends all threads. Nothing may be asked afterwards but `leave`.
+  void close() {
+    viewers_.clear();  // what is posted already reaches nobody
+    control_.reset();
+    mapping_.reset();
+    questions_.reset();
+  }
 
  private:
   explicit Room(Post post) : post_(std::move(post)) {}

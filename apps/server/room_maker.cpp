@@ -43,21 +43,33 @@ OptionMap options_of(const Json& object) {
   return options;
 }
 
+std::string text_in(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+OptionMap options_in(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_object() ? options_of(*found) : OptionMap();
+}
+
 /// A setup record that changed the maps on the way, applied again. What is none, or cannot be applied, is passed over:
 /// it was refused the first time, too, or comes from a newer version.
 void apply_setup(const Json& setup, live::Mapper& mapper) {
-  if (setup.contains("add")) (void)mapper.add_method({setup["add"].get<std::string>(), {}});
-  if (setup.contains("remove")) (void)mapper.remove_method(setup["remove"].get<std::string>());
-  if (setup.contains("options"))
-    (void)mapper.set_options(setup["method"].get<std::string>(), options_of(setup["options"]));
-  if (setup.contains("on")) (void)mapper.use_sensor(setup["sensor"].get<SensorId>(), setup["on"].get<bool>());
+  if (setup.contains("add")) (void)mapper.add_method({text_in(setup, "add"), {}});
+  if (setup.contains("remove")) (void)mapper.remove_method(text_in(setup, "remove"));
+  if (setup.contains("options")) (void)mapper.set_options(text_in(setup, "method"), options_in(setup, "options"));
+  const auto sensor = setup.find("sensor");
+  const auto on = setup.find("on");
+  if (sensor != setup.end() && sensor->is_number_unsigned() && on != setup.end() && on->is_boolean())
+    (void)mapper.use_sensor(sensor->get<SensorId>(), on->get<bool>());
 }
 
 std::optional<Json> setup_of(const io::SessionLine& line) {
   const auto* other = std::get_if<io::OtherLine>(&line);
   if (other == nullptr) return std::nullopt;
   Json json = Json::parse(other->json, nullptr, false);
-  if (!json.is_object() || json.value("type", "") != "setup") return std::nullopt;
+  if (!json.is_object() || text_in(json, "type") != "setup") return std::nullopt;
   return json;
 }
 
@@ -116,7 +128,7 @@ struct Ending {
 
 }  // namespace
 
-Result<RoomSetup> make_scene_room(SceneRoom room, const MappingChoice& mapping, Executor& executor) {
+Result<RoomSetup> make_scene_room(const SceneRoom& room, const MappingChoice& mapping, Executor& executor) {
   auto source = live::SimulatedSource::make(room.scene, room.seed);
   if (!source) return source.error();
   Result<RoomSetup> setup = furnish(room.name, "scene", std::move(*source), mapping, executor);
@@ -145,15 +157,19 @@ Result<SessionStart> read_session_start(const std::filesystem::path& session) {
     const std::optional<Json> setup = setup_of(line);
     if (!setup || !setup->contains("scene")) return;
     start.emplace();
-    start->scene = setup->value("scene", "");
-    start->seed = setup->value("seed", std::uint64_t{1});
-    start->speed = setup->value("speed", 1.0);
-    if (auto sensing = make_options<SensingOptions>(options_of((*setup)["sensing"])))
+    start->scene = text_in(*setup, "scene");
+    if (const auto seed = setup->find("seed"); seed != setup->end() && seed->is_number_unsigned())
+      start->seed = seed->get<std::uint64_t>();
+    if (const auto speed = setup->find("speed"); speed != setup->end() && speed->is_number())
+      start->speed = speed->get<double>();
+    if (auto sensing = make_options<SensingOptions>(options_in(*setup, "sensing")))
       start->mapping.sensing = *sensing;
     else
       fault = sensing.error();
-    for (const Json& method : (*setup)["methods"])
-      start->mapping.methods.push_back({method.value("name", ""), options_of(method["options"])});
+    if (const auto methods = setup->find("methods"); methods != setup->end() && methods->is_array())
+      for (const Json& method : *methods)
+        if (method.is_object())
+          start->mapping.methods.push_back({text_in(method, "name"), options_in(method, "options")});
   });
   if (!read) return read.error();
   if (fault) return *fault;
@@ -163,7 +179,7 @@ Result<SessionStart> read_session_start(const std::filesystem::path& session) {
   return *start;
 }
 
-Result<RoomSetup> resume_scene_room(SceneRoom room, const MappingChoice& mapping, Executor& executor) {
+Result<RoomSetup> resume_scene_room(const SceneRoom& room, const MappingChoice& mapping, Executor& executor) {
   // The robot's description is needed before its records; the source itself starts where they end.
   auto first = live::SimulatedSource::make(room.scene, room.seed);
   if (!first) return first.error();

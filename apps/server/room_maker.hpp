@@ -37,7 +37,8 @@ struct SceneRoom {
   std::filesystem::path session;  ///< empty: nothing is kept
   io::SessionLogLimits limits;
 };
-[[nodiscard]] Result<RoomSetup> make_scene_room(SceneRoom room, const MappingChoice& mapping, Executor& executor);
+[[nodiscard]] Result<RoomSetup> make_scene_room(const SceneRoom& room, const MappingChoice& mapping,
+                                                Executor& executor);
 
 /// A log that is played.
 [[nodiscard]] Result<RoomSetup> make_log_room(const std::string& name, Log log, double speed,
@@ -53,6 +54,7 @@ struct SessionStart {
 [[nodiscard]] Result<SessionStart> read_session_start(const std::filesystem::path& session);
 
 /// Continues a session: its records are mapped again, the robot starts where it was.
-[[nodiscard]] Result<RoomSetup> resume_scene_room(SceneRoom room, const MappingChoice& mapping, Executor& executor);
+[[nodiscard]] Result<RoomSetup> resume_scene_room(const SceneRoom& room, const MappingChoice& mapping,
+                                                  Executor& executor);
 
 }  // namespace echoarc::server

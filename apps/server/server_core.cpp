@@ -16,6 +16,14 @@ namespace echoarc::server {
 ServerCore::ServerCore(ServerOptions given, RoomOpeners openers_given)
     : options(std::move(given)), openers(std::move(openers_given)) {}
 
+// Whoever posts ends first; then the sessions, which are held by what they wait for; then what both use.
+ServerCore::~ServerCore() {
+  for (const auto& [name, room] : rooms_) room->close();
+  rooms_.clear();
+  opener_.reset();
+  io_owner_.reset();
+}
+
 std::shared_ptr<ServerCore::Ticket> ServerCore::admit(const std::string& address) {
   if (all_connections_ >= max_connections || connections_[address] >= max_connections_per_address) {
     ++refused.connections;
@@ -48,7 +56,7 @@ void ServerCore::open(std::function<Result<RoomSetup>(const std::string& room)> 
                         "close the pages of one; it is given up a minute later"});
   ++rooms_opening_;
   const std::string name = fmt::format("r{}", ++rooms_opened_);
-  const bool taken = opener_.post([this, make = std::move(make), opened, name] {
+  const bool taken = opener_->post([this, make = std::move(make), opened, name] {
     auto setup = std::make_shared<Result<RoomSetup>>(make(name));
     boost::asio::post(io, [this, setup, opened, name] {
       --rooms_opening_;
@@ -90,7 +98,7 @@ void ServerCore::close_empty_rooms(double now_s) {
     }
     empty_since_s_.erase(name);
     // Its threads end where nobody waits for them.
-    (void)opener_.post([closing = std::move(it->second)]() mutable { closing.reset(); });
+    (void)opener_->post([closing = std::move(it->second)]() mutable { closing.reset(); });
     it = rooms_.erase(it);
   }
 }

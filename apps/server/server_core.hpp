@@ -26,6 +26,9 @@ class ServerCore {
   using Tcp = boost::asio::ip::tcp;
 
   ServerCore(ServerOptions options, RoomOpeners openers);
+  ServerCore(const ServerCore&) = delete;
+  ServerCore& operator=(const ServerCore&) = delete;
+  ~ServerCore();
 
   /// A connection's share of the limits; gives it back when it is destroyed.
   class Ticket {
@@ -54,7 +57,11 @@ class ServerCore {
   [[nodiscard]] bool is_token(std::string_view token);
   [[nodiscard]] ViewerId next_viewer() { return ++last_viewer_; }
 
-  boost::asio::io_context io{1};
+ private:
+  std::unique_ptr<boost::asio::io_context> io_owner_ = std::make_unique<boost::asio::io_context>(1);
+
+ public:
+  boost::asio::io_context& io = *io_owner_;
   const ServerOptions options;
   const RoomOpeners openers;
   RefusalCounters refused;
@@ -72,7 +79,7 @@ class ServerCore {
   std::uint64_t rooms_opened_ = 0;
   std::shared_ptr<int> downloads_ = std::make_shared<int>(0);  // as many as hold it besides us
   ViewerId last_viewer_ = 0;
-  Worker opener_{max_rooms * 4};
+  std::unique_ptr<Worker> opener_ = std::make_unique<Worker>(max_rooms * 4);
 };
 
 }  // namespace echoarc::server

@@ -23,6 +23,18 @@ from served import Served
 from viewer import Viewer
 
 STOP_M_S2 = 1.5
+HALL = """name = "hall"
+robot = "hc-sr04-row"
+
+[[wall]]
+points = [[-10, -10], [10, -10], [10, 10], [-10, 10], [-10, -10]]
+
+[drive]
+start = [0, 0, 0]
+
+[sonar]
+outlier_share = 0.0
+"""  # nothing in the way, nor heard to be: what brakes here is the dead-man
 CAUSES = ("socket closed", "process killed", "silent")
 
 
@@ -94,7 +106,9 @@ def run(command, trials, seed):
     results = []
     with tempfile.TemporaryDirectory() as folder:
         session = pathlib.Path(folder) / "session"
-        with Served(command, "--scene", "demo", "-o", session) as served:
+        scene = pathlib.Path(folder) / "hall.toml"
+        scene.write_text(HALL)
+        with Served(command, "--scene", scene, "-o", session) as served:
             log, read = session / "session.jsonl", 0
             for trial in range(trials):
                 cause, speed = CAUSES[trial % len(CAUSES)], draw.uniform(0.08, 0.2)

@@ -51,6 +51,8 @@ class Served:
     def kill(self):
         self.process.kill()
         self.process.wait()
+        self._reader.join(5)
+        self.process.stdout.close()
 
     def end(self, timeout_s=30):
         """Ctrl-C, and waits; the exit status."""
@@ -60,7 +62,9 @@ class Served:
                 self.process.wait(timeout_s)
             except subprocess.TimeoutExpired:
                 self.kill()
-        self._reader.join(5)
+        if not self.process.stdout.closed:
+            self._reader.join(5)
+            self.process.stdout.close()
         return self.process.returncode
 
 

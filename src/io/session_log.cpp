@@ -155,9 +155,10 @@ Result<void> SessionLog::open_part(int number, bool anew) {
 
 void SessionLog::write(std::string_view lines) {
   if (state_ != State::on || lines.empty()) return;
-  if (total_bytes_ + lines.size() > limits_.total_bytes)
+  const bool next_part = part_bytes_ > header_.size() && part_bytes_ + lines.size() > limits_.part_bytes;
+  if (total_bytes_ + lines.size() + (next_part ? header_.size() : 0) > limits_.total_bytes)
     return give_up(State::limit, fmt::format("the limit of {} bytes is reached", limits_.total_bytes));
-  if (part_bytes_ > header_.size() && part_bytes_ + lines.size() > limits_.part_bytes)
+  if (next_part)
     if (const Result<void> opened = open_part(part_ + 1, true); !opened) {
       if (state_ == State::on) give_up(State::full, opened.error().message);
       return;

@@ -22,7 +22,7 @@ import { mountInspector } from './ui/inspector.ts';
 import { mountKeyboard } from './ui/keyboard.ts';
 import { mountMapClicks } from './ui/map_clicks.ts';
 import { mountDrop } from './ui/open_log.ts';
-import { mountEmpty, mountHint, mountLiveText, mountLost, mountMapControls, mountModeChip } from './ui/overlays.ts';
+import { mountEmpty, mountHint, mountNotice, mountLiveText, mountLost, mountMapControls, mountModeChip } from './ui/overlays.ts';
 import { toast } from './ui/toast.ts';
 import { mountTopBar } from './ui/top_bar.ts';
 import { words } from './words.ts';
@@ -52,6 +52,7 @@ function start(): void {
   mountModeChip(app, over, clicks.startGoTo);
   mountHint(app, over);
   mountCompareBar(app, over);
+  mountNotice(app, over);
   mountEmpty(app, over);
   mountLost(app, over);
   mountDrop(app, over);
@@ -62,6 +63,7 @@ function start(): void {
   mountLiveText(app, byId('says'));
   mountKeyboard(app, {
     togglePad: pad.togglePad, toggleStrip: () => { document.body.toggleAttribute('data-no-strip'); }, startGoTo: clicks.startGoTo, cancel: clicks.cancel,
+    walk: clicks.walk, explainWalked: clicks.explainWalked,
     focusLayers: () => { document.body.toggleAttribute('data-sheet', true); document.getElementById('layers')?.focus(); },
   });
   welcomeBack(app);

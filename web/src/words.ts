@@ -5,8 +5,8 @@
 import { capital, clock, size, whole, words as plain } from './ui/format.ts';
 
 export const words = {
-  stop: 'Stop', stopped: 'Stopped', cannotReach: 'cannot reach it', space: 'Space',
-  live: 'Live', held: 'Held', backToLive: 'Back to live', connecting: 'Connecting', reconnecting: 'Reconnecting',
+  stop: 'Stop', stopped: 'Stopped', byYou: 'by you', cannotReach: 'cannot reach it', space: 'Space',
+  live: 'Live', playing: 'Playing', paused: 'Paused', held: 'Held', backToLive: 'Back to live', connecting: 'Connecting', reconnecting: 'Reconnecting',
   saveMap: 'Save map', drive: 'Drive', handOver: 'Hand over', keep: 'Keep', askToDrive: 'Ask to drive',
   youDrive: 'You are driving', tryNow: 'Try now', reload: 'Reload', reconnect: 'Reconnect', driveAgain: 'Drive again',
   hint: 'Click a point to see the pings behind it', hideHint: 'Hide this hint',
@@ -21,7 +21,7 @@ export const words = {
   stillLostTitle: 'Still no connection',
   stillLost: 'echoarc may have ended. Its log is saved; `echoarc serve --resume DIR` continues the same map.',
   noneDroppedSilently: 'Nothing is dropped silently. This is where they went:',
-  noPings: 'No pings yet', onlyDriver: 'Only the driver changes options.', mapSwitches: 'The map switches when it is done.',
+  noPings: 'No pings yet', playsLog: 'Playing a log', logPaused: 'The log is paused', onlyDriver: 'Only the driver changes options.', mapSwitches: 'The map switches when it is done.',
   dropBody: 'It maps with the methods you have chosen. The running robot keeps its own log.',
   asksToDrive: (name: string): string => `${name} asks to drive`,
   lostTitle: (s: number): string => `Connection lost ${Math.round(s)} s ago`,
@@ -35,6 +35,7 @@ export const words = {
   tooLarge: (bytes: number, limit: number): string =>
     `${size(bytes)} is more than this server takes (${size(limit)}). Start \`echoarc serve --log FILE\` instead.`,
   obstacle: (cm: number): string => `Stopped: obstacle ${whole(cm)} cm ahead. Drive back, or turn.`,
+  obstacleAhead: (cm: number): string => `Obstacle ${whole(cm)} cm ahead`,
   outOfRange: (title: string, from: string, to: string): string => `${title} must be from ${from} to ${to}.`,
   saved: (name: string, bytes: number): string => `Saved ${name}, ${size(bytes)}`,
 };

@@ -21,7 +21,7 @@
 namespace echoarc::live {
 
 /// p(occupied) of a cell in a byte: 0 unknown, else 1 + round(254 p).
-using TileBytes = std::array<std::uint8_t, 64 * 64>;
+using TileBytes = std::array<std::uint8_t, std::size_t{64} * 64>;
 
 /// A point as viewers draw it; it keeps its slot while it lives.
 struct DrawnPoint {

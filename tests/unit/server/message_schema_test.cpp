@@ -143,7 +143,9 @@ TEST(MessageSchema, AnswersAboutEveryMethod) {
       EXPECT_EQ(good(explanation_message(1, *why))["kind"], "point");
     }
     const auto cell = live::explain_cell(evidence, name, {3.0, 2.0});
-    if (cell) EXPECT_EQ(good(explanation_message(2, *cell))["kind"], "cell") << name;
+    if (cell) {
+      EXPECT_EQ(good(explanation_message(2, *cell))["kind"], "cell") << name;
+    }
     for (std::size_t k = middle; k < middle + 40; k += 13) {
       const auto step = live::step_ping(evidence, name, evidence.readings[k].reading.ping);
       ASSERT_TRUE(step) << name << ": " << step.error().message;

@@ -18,7 +18,9 @@ class RoomMaps : public RoomTest {
   /// What a page must hold by now.
   PageMaps newest() {
     return with_mapper([](MappingLoop::Access& access) {
+      (void)access.mapper.refresh();
       PageMaps page;
+      page.pings.resize(64 * access.mapper.readings().size());
       std::vector<std::string> names;
       for (const live::RunningMethod& method : access.mapper.methods()) names.push_back(method.choice.name);
       page.take_methods(names);
@@ -47,7 +49,8 @@ class RoomMaps : public RoomTest {
   bool comes_to_hold_the_newest(const FakeViewer& viewer) {
     return io.run_until([&] {
       const PageMaps wanted = newest();
-      return viewer.page.methods == wanted.methods && viewer.page.maps == wanted.maps;
+      return viewer.page.methods == wanted.methods && viewer.page.maps == wanted.maps &&
+             viewer.page.pings.size() == wanted.pings.size();
     });
   }
   /// Lets a viewer be slow and quick by turns.

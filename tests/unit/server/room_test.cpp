@@ -4,6 +4,8 @@
 #include "server/room.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "server/room_messages.hpp"
 #include "support/temp_folder.hpp"
@@ -100,16 +102,36 @@ TEST_F(Rooms, NextDriverKeepsTheRightThoughTheOneBeforeWasLost) {
   drive_until_it_moves(next);
 }
 
-TEST_F(Rooms, RobotBrakesWhenItsDriverLeaves) {
+TEST_F(Rooms, RobotBrakesAtOnceWhenItsDriverLeaves) {
   open(scene_room(choices, executor));
   FakeViewer watcher(*room, 2);
-  {
-    FakeViewer driver(*room, 1);
-    driver.say(Take{});
-    drive_until_it_moves(driver);
+  // The dead-man would do it, too, but not before its time; a busy machine may take as long once or twice.
+  bool at_once = false;
+  for (int attempt = 0; attempt < 6 && !at_once; ++attempt) {
+    {
+      FakeViewer driver(*room, 1);
+      driver.say(Take{});
+      drive_until_it_moves(driver);
+    }
+    ASSERT_TRUE(run_until_state(watcher, [](const Value& state) { return state["reason"] == "dead man"; }));
+    const Value& state = *watcher.last("state");
+    at_once = state["mono_us"].get<double>() - state["drive_mono_us"].get<double>() < 500e3;
+    EXPECT_TRUE(comes_to_stand(watcher, "dead man"));
+    EXPECT_TRUE((*watcher.last("state"))["driver"].is_null());
   }
-  EXPECT_TRUE(comes_to_stand(watcher, "dead man"));
-  EXPECT_TRUE((*watcher.last("state"))["driver"].is_null());
+  EXPECT_TRUE(at_once);
+}
+
+TEST_F(Rooms, WhoStoppedItIsNotForgottenOverAStateFromBefore) {
+  open(scene_room(choices, executor));
+  FakeViewer viewer(*room, 1);
+  viewer.say(ModeMessage{"goto", 5.0, 2.0});
+  ASSERT_TRUE(run_until_state(viewer, [](const Value& state) { return state["v"] > 0.05; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));  // a state lies in the mailbox now
+  viewer.say(Stop{});
+  EXPECT_TRUE(comes_to_stand(viewer, "stopped"));
+  EXPECT_EQ((*viewer.last("state"))["stopped_by"]["who"], "viewer");
+  EXPECT_EQ((*viewer.last("state"))["stopped_by"]["name"], "viewer 1");
 }
 
 TEST_F(Rooms, AnybodyMayStopIt) {
@@ -257,7 +279,7 @@ TEST_F(Rooms, ChangesOfTheMapsAreKeptInTheSessionLog) {
     EXPECT_EQ((*viewer.last("counters"))["log"]["state"], "on");
     ASSERT_TRUE(io.run_until([&] {
       const Value* methods = viewer.last("methods");
-      return methods != nullptr && (*methods)["running"].size() == 2 &&
+      return methods != nullptr && (*methods)["running"].size() == 2 && (*methods)["running"][1]["method"] == "vt" &&
              (*methods)["running"][1]["options"]["threshold"] == 7;
     }));
     let_ticks_pass(viewer, 5);

@@ -6,7 +6,18 @@ import type { App } from '../ui/app.ts';
 
 export const isLog = (app: App): boolean => app.model.welcome?.source.kind === 'log';
 
+/** Moment that the pointer is at elsewhere; the timeline marks it. */
+export const ghost: { t: number | null } = { t: null };
+
 export function hold(app: App, t: number | null): void { app.model.show({ heldAt: t }); }
+
+/** A log is wound to the time by who may; else the view alone is held there. */
+export function seek(app: App, t: number): void {
+  if (isLog(app) && app.model.welcome?.you.may_drive) {
+    if (app.model.view.heldAt !== null) hold(app, null);
+    app.model.send({ type: 'playback', seek_s: t });
+  } else hold(app, t);
+}
 
 /** Pauses the view, never the robot; of a log it pauses the playing. */
 export function togglePause(app: App): void {

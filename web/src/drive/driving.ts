@@ -14,9 +14,12 @@ export class Driving {
   private gamepad: Velocity | null = null;
   private zeros = 0;
   private seq = 0;
+  private sentMs = Number.NEGATIVE_INFINITY;
   private timer: ReturnType<typeof setInterval> | undefined;
   wanted: Velocity = { v: 0, w: 0 };
   slow = false;
+  /** performance.now() of this page's last Stop. */
+  stopSentMs = Number.NEGATIVE_INFINITY;
   onChange: (() => void) | null = null;
 
   constructor(private readonly model: PageModel) {
@@ -31,7 +34,9 @@ export class Driving {
   stop(): boolean {
     this.letGo();
     this.zeros = 0;
-    return this.model.send({ type: 'stop' });
+    const sent = this.model.send({ type: 'stop' });
+    if (sent) this.stopSentMs = performance.now();
+    return sent;
   }
   take(): boolean { return this.model.send({ type: 'take' }); }
   release(to?: number): void {
@@ -57,6 +62,9 @@ export class Driving {
     this.pad = null;
     this.gamepad = null;
   }
+
+  /** It drove until a moment ago. */
+  get isWindingDown(): boolean { return performance.now() - this.sentMs < 1500; }
 
   private leave(): void {
     if (!this.active) return;
@@ -84,6 +92,7 @@ export class Driving {
     this.wanted = this.pad ?? keys ?? this.gamepad ?? { v: 0, w: 0 };
     if (!this.pad && !keys && !this.gamepad && this.zeros > 0) this.zeros -= 1;
     // Also while standing: the right to drive ends when nothing is heard from the driver.
+    this.sentMs = performance.now();
     this.model.send({ type: 'drive', v: this.wanted.v, w: this.wanted.w, seq: this.seq++ });
   }
 }

@@ -5,8 +5,12 @@
 import { h } from '../ui/dom.ts';
 import type { App } from '../ui/app.ts';
 import { dialog, menu } from '../ui/popover.ts';
+import { capital } from '../ui/format.ts';
 import { toast } from '../ui/toast.ts';
 import { words } from '../words.ts';
+
+/** The server takes no answer for Keep after this. */
+const askedForMs = 20_000;
 
 export function driverName(app: App): string | null {
   const driver = app.model.state?.driver ?? null;
@@ -58,7 +62,7 @@ export function followRights(app: App): void {
     const answer = (accept: boolean) => (): void => { app.model.send({ type: 'answer', accept }); };
     toast(words.asksToDrive(request.name), [
       { label: words.handOver, primary: true, run: answer(true) }, { label: words.keep, run: answer(false) },
-    ]);
+    ], false, askedForMs);
   });
   app.model.on('drive_lost', () => {
     const reason = app.model.driveLost?.reason;
@@ -68,6 +72,8 @@ export function followRights(app: App): void {
   });
   app.model.on('refused', () => {
     const refusal = app.model.refused;
-    if (refusal) toast([refusal.message, refusal.remedy].filter(Boolean).join('. '), [], true);
+    // Commands that were on their way when the right to drive went are no news: drive_lost says it.
+    if (refusal?.code === 'unsupported' && app.driving.isWindingDown) return;
+    if (refusal) toast([refusal.message, refusal.remedy].filter(Boolean).map((text) => capital(text)).join('. '), [], true);
   });
 }

@@ -8,25 +8,33 @@ import type { App } from '../ui/app.ts';
 import { words } from '../words.ts';
 
 const shownMs = 3000;
+const standsBelow = 0.02;
 
 export function mountStop(app: App, button: HTMLElement): void {
   const label = h('span', {}, words.stop);
   const second = h('kbd', {}, words.space);
   button.setAttribute('aria-label', 'Stop robot. Shortcut: Space');
   button.append(stopIcon(), label, second);
+  let told = '';
   let before = '';
   let until = 0;
   const update = (): void => {
-    const lost = app.model.connection.phase === 'lost' || app.model.connection.phase === 'ended';
-    const by = app.model.state?.stopped_by ?? null;
+    const { connection, state, me } = app.model;
+    const now = performance.now();
+    const by = state?.stopped_by ?? null;
     const key = by ? `${by.who}/${by.viewer}` : '';
-    if (key !== before && by) until = performance.now() + shownMs;
+    if (by && key !== before) {
+      told = by.who === 'viewer' ? (by.viewer === me ? words.byYou : `by ${by.name}`) : by.who === 'dead_man' ? 'driver is gone' : by.who;
+      until = now + shownMs;
+    }
     before = key;
-    const fresh = by !== null && performance.now() < until;
+    // Who drives keeps sending, which ends the stop for the server; the person still is to see that it came.
+    if (state && Math.abs(state.v) < standsBelow && now - app.driving.stopSentMs < shownMs && now > until) { told = words.byYou; until = app.driving.stopSentMs + shownMs; }
+    const fresh = now < until;
+    const lost = connection.phase === 'lost' || connection.phase === 'ended';
+    button.classList.toggle('said', fresh);
     say(label, fresh ? words.stopped : words.stop);
-    if (lost) say(second, words.cannotReach);
-    else if (!fresh) say(second, words.space);
-    else say(second, by.who === 'viewer' ? (by.viewer === app.model.me ? 'by you' : `by ${by.name}`) : by.who === 'dead_man' ? 'driver is gone' : by.who);
+    say(second, lost ? words.cannotReach : fresh ? told : words.space);
   };
   let pressedAt = 0;
   button.addEventListener('pointerdown', (event) => {

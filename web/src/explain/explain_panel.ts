@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /** "Why is this point here?": the panel of a point or a cell, and what it lights up on the map. */
-import { markSlots } from '../map/slots.ts';
+import { type MarkSlot, markSlots } from '../map/slots.ts';
 import type { MapPlace } from '../map/map_view.ts';
 import { backButton } from '../panels/back.ts';
 import type { Explanation } from '../protocol/messages.ts';
@@ -26,7 +26,7 @@ class ExplainPanel implements Panel {
   private readonly foot = h('div', { class: 'foot', hidden: true });
   private readonly inquiry: Inquiry<Explanation>;
   private hovered: number | null = null;
-  private drawn = -1;
+  private drawn = '';
   private hoverBefore: Handler = null;
   private isMounted = false;
   private off: (() => void) | null = null;
@@ -62,9 +62,11 @@ class ExplainPanel implements Panel {
   }
 
   private draw(): void {
-    if (!this.isMounted || this.drawn === this.inquiry.version) return;
-    this.drawn = this.inquiry.version;
-    const { answer, refused, slow } = this.inquiry;
+    if (!this.isMounted) return;
+    const { answer, refused, slow, version } = this.inquiry;
+    const key = `${version} ${answer ? this.slotOf(answer.method) : ''}`;
+    if (key === this.drawn) return;
+    this.drawn = key;
     if (!this.app.model.view.explain) this.say(words.whySomething, words.nothingChosen);
     else if (refused) this.showRefusal(refused.message, refused.remedy);
     else if (slow) this.say(answer ? titleOf(answer) : words.whySomething, words.lookingThrough(this.app.model.state?.pings ?? 0));
@@ -92,13 +94,15 @@ class ExplainPanel implements Panel {
     this.heading.textContent = titleOf(e);
     this.sentence.textContent = e.sentence;
     this.facts.replaceChildren(factsOf(e));
-    const slot = markSlots(this.app.model.methods, this.app.model.view.shown).get(e.method) ?? 1;
-    const sections = [figureSection(e, slot), supportSection(e, (ping) => this.hover(ping)), cellSection(e, this.app.titleOf)];
+    const sections = [figureSection(e, this.slotOf(e.method)), supportSection(e, (ping) => this.hover(ping)), cellSection(e, this.app.titleOf)];
     replaceKeepingFocus(this.body, sections.filter((s) => s !== null));
     this.fillFoot(e);
     this.hovered = null;
     this.app.map.setExplanation(e, null);
   }
+
+  /** Its mark on the map; it may change with what is shown. */
+  private slotOf(method: string): MarkSlot { return markSlots(this.app.model.methods, this.app.model.view.shown).get(method) ?? 1; }
 
   private fillFoot(e: Explanation): void {
     const ping = e.own?.ping ?? e.cell?.changes.at(-1)?.ping ?? null;

@@ -9,7 +9,7 @@ import { arcFigure, figureSize, labelPlace } from './figure.ts';
 import { markWord, words } from './words.ts';
 
 const { width, height, margin, line } = figureSize;
-const labelHalfWidth = 46;
+const labelHalfWidth = 52;
 
 function pointMark(slot: MarkSlot, x: number): SVGElement {
   const at = `translate(${x.toFixed(2)} ${line})`;

@@ -3,14 +3,20 @@
 
 /** A question to the server and what has come of it: the newest wish wins, and its answer stays until a newer one is there. */
 import type { Model, Question } from '../model/model.ts';
+import { capital } from '../ui/format.ts';
 
 const slowMs = 200;
 
 export interface Refused { message: string; remedy: string }
 
+/** What the server says as a clause, as a sentence. */
+export function asSentence(clause: string): string {
+  return clause === '' || /[.?]$/.test(clause) ? capital(clause) : `${capital(clause)}.`;
+}
+
 function refusedOf(error: unknown): Refused {
   const { message, remedy } = (error ?? {}) as { message?: unknown; remedy?: unknown };
-  return { message: typeof message === 'string' ? message : String(error), remedy: typeof remedy === 'string' ? remedy : '' };
+  return { message: asSentence(typeof message === 'string' ? message : String(error)), remedy: asSentence(typeof remedy === 'string' ? remedy : '') };
 }
 
 export class Inquiry<Answer> {

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /** The sections of the panel that explains a point or a cell. */
+import { unitWords } from '../formula/fullness.ts';
 import { centimetres, decimals, place, plainNumber, signedDecimals } from '../formula/numbers.ts';
 import type { MarkSlot } from '../map/slots.ts';
 import type { Explanation } from '../protocol/messages.ts';
 import { h, svg, type Child } from '../ui/dom.ts';
 import { barSize, cellBars, type CellBar, type CellHistory } from './cell_bars.ts';
 import { figureView } from './figure_view.ts';
-import { supportTable, type Column, type SupportRow } from './support_table.ts';
+import { isWords, supportTable, type Column, type SupportRow } from './support_table.ts';
 import { cellState, words } from './words.ts';
 
 /** Told which supporting ping is looked at; null: none. */
@@ -47,12 +48,12 @@ export function figureSection(e: Explanation, slot: MarkSlot): HTMLElement | nul
 
 function headCell(column: Column): HTMLElement {
   const title = column === 'bearing' || column === 'angle' ? words.columnTitles[column] : null;
-  return h('th', { scope: 'col', title, class: column === 'note' ? 'left' : null }, words.columns[column]);
+  return h('th', { scope: 'col', title, class: isWords(column) ? 'left' : null }, words.columns[column]);
 }
 
 function supportRow(row: SupportRow, columns: readonly Column[], hover: Hover): HTMLElement {
-  const cells = row.cells.map((content, i) => h('td', { class: columns[i] === 'note' ? 'explain-note' : null }, content));
-  return h('tr', { tabindex: 0, class: row.strong ? 'own' : null, 'data-ping': row.ping, 'data-key': `ping-${row.ping}`, title: columns.includes('note') || row.spoken === '' ? null : row.spoken }, cells, {
+  const cells = row.cells.map((content, i) => h('td', { class: isWords(columns[i]) ? 'explain-note' : null }, content));
+  return h('tr', { tabindex: 0, class: row.strong ? 'own' : null, 'data-ping': row.ping, 'data-key': `ping-${row.ping}`, title: columns.some(isWords) || row.spoken === '' ? null : row.spoken }, cells, {
     mouseenter: () => hover(row.ping), mouseleave: () => hover(null), focus: () => hover(row.ping), blur: () => hover(null),
   });
 }
@@ -79,13 +80,13 @@ function barRow(bar: CellBar): HTMLElement {
   const wide = half * bar.share;
   const drawn = svg('svg', { class: 'explain-bar', viewBox: `0 0 ${width} ${height}`, width, height, role: 'img', 'aria-label': words.barOf(bar.ping, bar.text) }, [
     svg('path', { class: 'bar-zero', d: `M${width / 2} 0v${height}` }),
-    svg('rect', { class: bar.change > 0 ? 'bar-fuller' : 'bar-emptier', x: bar.change > 0 ? width / 2 : width / 2 - wide, y: 2, width: wide, height: height - 4, rx: 1 }),
+    svg('rect', { class: bar.isFuller ? 'bar-fuller' : 'bar-emptier', x: bar.change > 0 ? width / 2 : width / 2 - wide, y: 2, width: wide, height: height - 4, rx: 1 }),
   ]);
   return h('tr', {}, [h('td', {}, plainNumber(bar.ping)), h('td', { class: 'explain-where' }, words.where[bar.where]), h('td', {}, [drawn]), h('td', {}, bar.text)]);
 }
 
 function totalText(cell: CellHistory, shown: number): string {
-  const holds = cell.unit === 'log-odds' ? words.sum(cell.value) : words.holds(`${plainNumber(cell.value)}${cell.unit === '' || cell.unit === 'p' ? '' : ` ${cell.unit}`}`);
+  const holds = cell.unit === 'log-odds' ? words.sum(cell.value) : words.holds(`${plainNumber(cell.value)}${cell.unit === '' || cell.unit === 'p' ? '' : ` ${unitWords(cell.unit)}`}`);
   return words.latest(shown, cell.total) + holds;
 }
 

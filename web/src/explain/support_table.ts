@@ -7,7 +7,9 @@ import type { Explanation } from '../protocol/messages.ts';
 import { words } from './words.ts';
 
 export type Support = Explanation['support'][number];
-export type Column = 'ping' | 'sensor' | 'range' | 'bearing' | 'angle' | 'note';
+export type Column = 'ping' | 'sensor' | 'range' | 'bearing' | 'angle' | 'did' | 'says';
+/** Columns of words. */
+export const isWords = (column: Column | undefined): boolean => column === 'did' || column === 'says';
 export interface SupportRow { ping: number; cells: string[]; strong: boolean; spoken: string }
 export interface SupportTable { title: string; columns: Column[]; rows: SupportRow[]; /** What bold rows are. */ legend: string }
 
@@ -27,7 +29,8 @@ function cellText(column: Column, { ping, t, angle, note }: Support): string {
     case 'range': return metres(ping.range_m);
     case 'bearing': return t === null ? '–' : signedDegrees(t);
     case 'angle': return angle === null ? '–' : degrees(angle, 0);
-    case 'note': return note;
+    case 'did':
+    case 'says': return note;
   }
 }
 
@@ -46,7 +49,7 @@ export function supportTable(support: readonly Support[]): SupportTable | null {
   const legend = crossed && notes.size === 1 && support.some((s) => s.note === '') ? [...notes][0] ?? '' : '';
   const columns: Column[] = ['ping', 'sensor', 'range'];
   if (crossed) columns.push('bearing', 'angle');
-  else if (notes.size > 0) columns.push('note');
+  else if (notes.size > 0) columns.push(cut ? 'did' : 'says');
   const rows = orderedSupport(support).map((s): SupportRow => ({
     ping: s.ping.ping, cells: columns.map((column) => cellText(column, s)), strong: legend !== '' && s.note !== '', spoken: s.note,
   }));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /** Every text of the answer to "why is this here". */
+import { unitWords } from '../formula/fullness.ts';
 import { count, decimals, signedDecimals } from '../formula/numbers.ts';
 
 export type CellState = 'occupied' | 'free' | 'unknown';
@@ -27,13 +28,13 @@ export const words = {
   offWall: 'off true wall',
   sure: 'sure',
   occupied: 'occupied',
-  value: (unit: string): string => (unit === '' || unit === 'p' ? 'value' : unit),
+  value: (unit: string): string => (unit === '' || unit === 'p' ? 'value' : unitWords(unit)),
   alongArc: (ping: number): string => `Along the arc of ping ${count(ping)}`,
   axis: 'beam axis',
   crossingsUsed: (n: number): string => `${count(n)} ${n === 1 ? 'crossing' : 'crossings'} used`,
   cutsUsed: (n: number): string => `${count(n)} ${n === 1 ? 'ping' : 'pings'} cut its arc`,
   arcsUsed: (n: number): string => `${pings(n)} behind it`,
-  columns: { ping: 'Ping', sensor: 'Sensor', range: 'Range', bearing: 'Bearing', angle: 'Angle', note: 'What it did' },
+  columns: { ping: 'Ping', sensor: 'Sensor', range: 'Range', bearing: 'Bearing', angle: 'Angle', did: 'What it did', says: 'What it says' },
   columnTitles: { bearing: 'Where it speaks, seen from the axis of the arc', angle: 'Angle at which the arcs cross' },
   inBold: (note: string): string => `Bold: ${note}.`,
   unused: (n: number, reason: string): string => `${pings(n)}, ${reason}`,

@@ -12,6 +12,7 @@ export interface FormulaOptions {
   signed: boolean;
 }
 
+/** `pieces` equal `result`. */
 export interface FormulaLine { words: string; pieces: readonly Piece[]; result: Extract<Piece, { kind: 'value' }>; spoken: string }
 
 const isSum = (name: string): boolean => name === 'after' || name.endsWith('_added');
@@ -33,7 +34,7 @@ export function formulaLine(formula: Formula, terms: readonly Term[], options: F
   const term = terms.find(({ name }) => name === formula.result);
   if (!term) return null;
   const tree = saysOnlyResult(formula.tree, formula.result) ? formula.tree[1] : formula.tree;
-  const pieces = [...layOut(tree, terms), text(' = ')];
+  const pieces = layOut(tree, terms);
   const result = resultOf(term, options);
-  return { words: formula.words, pieces, result, spoken: `${formula.words}: ${spokenText([...pieces, result])}` };
+  return { words: formula.words, pieces, result, spoken: `${formula.words}: ${spokenText([...pieces, text(' = '), result])}` };
 }

@@ -83,6 +83,11 @@ export function constant(value: number, unit = ''): Written {
   return inUnit(value, unit, constantNumber, constantNumber);
 }
 
+/** A direction between -180 and 180 degrees. */
+export function direction(rad: number): string {
+  return degrees(Math.atan2(Math.sin(rad), Math.cos(rad)));
+}
+
 export const degrees = (rad: number, digits = 1): string => `${decimals(rad * degreesPerRadian, digits)}°`;
 export const signedDegrees = (rad: number, digits = 1): string => `${signedDecimals(rad * degreesPerRadian, digits)}°`;
 export const metres = (m: number | null): string => (m === null ? unknown.text : `${decimals(m, 2)} m`);

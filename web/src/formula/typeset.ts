@@ -9,7 +9,7 @@ import { isTall, type Piece } from './pieces.ts';
 function bracket(inside: readonly Piece[]): Node[] {
   const tall = isTall(inside);
   const side = (sign: string): Node => (tall ? h('span', { class: 'fx-tall' }, sign) : document.createTextNode(sign));
-  return [side('('), ...nodes(inside), side(')')];
+  return [h('span', { class: 'fx-group' }, [side('('), ...nodes(inside), side(')')])];
 }
 
 function nodesOf(piece: Piece): Node[] {
@@ -24,10 +24,21 @@ function nodesOf(piece: Piece): Node[] {
   }
 }
 
-const nodes = (pieces: readonly Piece[]): Node[] => pieces.flatMap(nodesOf);
+/** A function stays on one line with what it is applied to. */
+function nodes(pieces: readonly Piece[]): Node[] {
+  const all: Node[] = [];
+  for (let i = 0; i < pieces.length; i++) {
+    const piece = pieces[i] as Piece;
+    if (piece.kind !== 'function') { all.push(...nodesOf(piece)); continue; }
+    const end = pieces[i + 1]?.kind === 'text' ? i + 3 : i + 2;
+    all.push(h('span', { class: 'fx-group' }, pieces.slice(i, end).flatMap(nodesOf)));
+    i = end - 1;
+  }
+  return all;
+}
 
 /** A box with the words and the line below them. */
 export function formulaBox(line: FormulaLine): HTMLElement {
-  const drawn = h('div', { class: 'fx-line', role: 'math', 'aria-label': line.spoken }, [...nodes(line.pieces), h('strong', {}, line.result.text)]);
+  const drawn = h('div', { class: 'fx-line', role: 'math', 'aria-label': line.spoken }, [...nodes(line.pieces), ' ', h('span', { class: 'fx-group' }, ['= ', h('strong', {}, line.result.text)])]);
   return h('div', { class: 'fx' }, [h('span', { class: 'fx-words' }, line.words), drawn]);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-/** Points and their bounds, instanced straight from the columns of a method's map. */
+/** Marks as point sprites and bounds as instances, straight from the columns of a method's map. */
 import type { MethodMap } from '../model/method_map.ts';
 import { GlBuffer, GlProgram, viewGlsl } from './gl_program.ts';
 import type { Palette } from './palette.ts';
@@ -12,27 +12,23 @@ const columns = ['x', 'y', 'alive', 'label', 'arcX', 'arcY', 'boundM'] as const;
 type Column = (typeof columns)[number];
 
 const pointVertex = `${viewGlsl}
-uniform vec4 u_mark; // radius px, extent px, 2 px in clip space x, y
-uniform float u_open_label;
+uniform vec2 u_mark; // radius px, extent px
+uniform float u_open_label, u_pixel;
 in float a_x, a_y, a_alive, a_label;
-out vec2 v_at;
 flat out float v_open;
 void main() {
-  vec2 corner = 2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0;
-  v_at = corner * u_mark.y;
   v_open = a_label == u_open_label ? 1.0 : 0.0;
-  gl_Position = clip(vec2(a_x, a_y)) + vec4(corner * u_mark.y * u_mark.zw, 0.0, 0.0);
-  if (a_alive < 0.5) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  gl_PointSize = 2.0 * u_mark.y / u_pixel;
+  gl_Position = a_alive < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : clip(vec2(a_x, a_y));
 }`;
 const pointFragment = `
-uniform vec4 u_mark;
+uniform vec2 u_mark;
 uniform vec4 u_colour;
 uniform float u_shape, u_pixel;
-in vec2 v_at;
 flat in float v_open;
 out vec4 colour;
 void main() {
-  vec2 q = abs(v_at);
+  vec2 q = abs(2.0 * gl_PointCoord - 1.0) * u_mark.y;
   float r = u_mark.x, d;
   if (u_shape < 1.5) d = (q.x + q.y - 1.25 * r) * 0.7071;
   else if (u_shape < 2.5) d = length(q) - r;
@@ -108,12 +104,12 @@ export class GlPoints {
     const radius = markRadius(s);
     const pixel = 1 / ratio;
     marks.set('u_view', ...view);
-    marks.set('u_mark', radius, 1.25 * radius + pixel, (view[2] ?? 0) / s, (view[3] ?? 0) / s);
+    marks.set('u_mark', radius, 1.25 * radius + pixel);
     marks.set('u_shape', slot);
     marks.set('u_pixel', pixel);
     marks.set('u_open_label', map.method === 'centerline' ? -1 : openLabel);
     marks.set('u_colour', ...palette.rgb[slotColour[slot]], alpha);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, Math.ceil(map.slots / everyNth));
+    gl.drawArrays(gl.POINTS, 0, Math.ceil(map.slots / everyNth));
   }
 
   private upload(map: MethodMap): Uploaded {
@@ -132,8 +128,8 @@ export class GlPoints {
   }
 
   /** Which column feeds which attribute; every n-th point by a longer step. */
-  private layout(uploaded: Uploaded, program: GlProgram, everyNth: number, which: number): WebGLVertexArrayObject {
-    const key = 2 * everyNth + which;
+  private layout(uploaded: Uploaded, program: GlProgram, everyNth: number, divisor: 0 | 1): WebGLVertexArrayObject {
+    const key = 2 * everyNth + divisor;
     const known = uploaded.arrays.get(key);
     if (known) return known;
     const { gl } = this;
@@ -146,7 +142,7 @@ export class GlPoints {
       gl.bindBuffer(gl.ARRAY_BUFFER, uploaded.buffers[column].buffer);
       gl.enableVertexAttribArray(place);
       gl.vertexAttribPointer(place, 1, isByte ? gl.UNSIGNED_BYTE : gl.FLOAT, false, (isByte ? 1 : 4) * everyNth, 0);
-      gl.vertexAttribDivisor(place, 1);
+      gl.vertexAttribDivisor(place, divisor);
     }
     uploaded.arrays.set(key, array);
     return array;

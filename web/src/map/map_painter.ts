@@ -5,25 +5,23 @@ import type { Model } from '../model/model.ts';
 import type { Explanation, Stepped } from '../protocol/messages.ts';
 import { type Area, type Box, pixelOf, worldOf } from './camera.ts';
 import { CameraControl } from './camera_control.ts';
-import { CanvasRenderer } from './canvas_renderer.ts';
 import { explanationBox } from './explain_layer.ts';
 import { FrameClock } from './frame_clock.ts';
 import { Gestures } from './gestures.ts';
-import { GlRenderer } from './gl_renderer.ts';
 import { mapTags } from './map_tags.ts';
 import type { MapPlace, MapView, Measure, PaneArea, Pick, RendererChoice, ScaleBar, StepSwitches } from './map_view.ts';
 import { drawOverlay, halfAngles, type OverlayState, robotPose, shownPings } from './overlay.ts';
 import { type Palette, readPalette } from './palette.ts';
 import { Pen } from './pen.ts';
-import { pickAt, pointPick } from './pick.ts';
+import { makeCanvas, makeGround, wallSegments } from './map_parts.ts';
+import { nextPoint, pickAt, type PointPick } from './pick.ts';
 import { scaleBar } from './scale_bar.ts';
 import type { GroundRenderer, PaneScene, Scene } from './scene.ts';
 import { buildPanes } from './scene_builder.ts';
 import { stepBox } from './step_layer.ts';
 import { Tags } from './tags.ts';
 
-const explainScale = 300;
-const stepScale = 340;
+const [explainScale, stepScale] = [300, 340];
 const hoverRestMs = 120;
 const blinkMs = 250;
 const dataTopics = ['state', 'pings', 'map', 'path', 'laser', 'methods', 'welcome', 'view'] as const;
@@ -55,7 +53,7 @@ export class MapPainter implements MapView {
   private walls = { of: null as unknown, segments: new Float32Array(0), version: 0 };
   private hoverTimer: ReturnType<typeof setTimeout> | undefined;
   private blinkTimer: ReturnType<typeof setInterval> | undefined;
-  private walked: { method: string; slot: number } | null = null;
+  private walked: PointPick | null = null;
   private told = '';
   private readonly overlay: OverlayState = {
     explanation: null, hoveredPing: null, step: null, goal: null, motion: null, sensor: null, blinkOn: true, measure: null, cursor: null,
@@ -114,23 +112,9 @@ export class MapPainter implements MapView {
     }, x, y);
   }
 
-  stepPoint(direction: 1 | -1): Extract<Pick, { kind: 'point' }> | null {
-    const all: { pick: Extract<Pick, { kind: 'point' }>; d: number }[] = [];
-    const { x, y, s } = this.camera;
-    const area = this.firstArea();
-    const reach = Math.min(area.width, area.height) / 2 / s;
-    for (const { map } of this.scenes[0]?.points ?? []) {
-      for (let i = 0; i < map.slots; i++) {
-        if (!map.alive[i]) continue;
-        const d = Math.hypot((map.x[i] ?? 0) - x, (map.y[i] ?? 0) - y);
-        if (d <= reach) all.push({ pick: pointPick(map, i), d });
-      }
-    }
-    all.sort((a, b) => a.d - b.d);
-    const at = all.findIndex(({ pick }) => pick.method === this.walked?.method && pick.slot === this.walked.slot);
-    const next = all[at < 0 ? 0 : (at + direction + all.length) % all.length]?.pick ?? null;
-    this.walked = next;
-    return next;
+  stepPoint(direction: 1 | -1): PointPick | null {
+    this.walked = nextPoint(this.scenes[0]?.points.map((p) => p.map) ?? [], this.camera, this.firstArea(), this.walked, direction);
+    return this.walked;
   }
 
   setExplanation(explanation: Explanation | null, hoveredPing: number | null): void {
@@ -313,29 +297,4 @@ export class MapPainter implements MapView {
     this.told = key;
     this.onCamera?.();
   }
-}
-
-function makeGround(host: HTMLElement, renderer: RendererChoice, again: () => void): GroundRenderer {
-  const canvas = makeCanvas(host, 'map-canvas');
-  const gl = renderer === 'canvas2d' ? null : GlRenderer.make(canvas, renderer === 'webgl2', again);
-  if (gl) return gl;
-  // A canvas that gave a context of one kind gives none of another.
-  canvas.remove();
-  return new CanvasRenderer(makeCanvas(host, 'map-canvas'));
-}
-
-function makeCanvas(host: HTMLElement, className: string): HTMLCanvasElement {
-  const canvas = document.createElement('canvas');
-  canvas.className = className;
-  canvas.setAttribute('aria-hidden', 'true');
-  host.append(canvas);
-  return canvas;
-}
-
-function wallSegments(walls: readonly (readonly (readonly number[])[])[]): Float32Array<ArrayBuffer> {
-  const out: number[] = [];
-  for (const wall of walls) {
-    for (let i = 0; i + 1 < wall.length; i++) out.push(wall[i]?.[0] ?? 0, wall[i]?.[1] ?? 0, wall[i + 1]?.[0] ?? 0, wall[i + 1]?.[1] ?? 0);
-  }
-  return new Float32Array(out);
 }

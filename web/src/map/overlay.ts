@@ -14,6 +14,7 @@ import { markSlots } from './slots.ts';
 import { drawCellLines, drawStep, stepPose, type StepView } from './step_layer.ts';
 
 const fadeS = 0.9;
+const rejectedShown = 100;
 const leastAlpha = 0.28;
 const defaultRadiusM = 0.2;
 const defaultHalfAngle = 0.22;
@@ -38,12 +39,14 @@ export function halfAngles(model: Model): (ping: PingRecord) => number {
   return (ping) => widths.get(ping.rx) ?? defaultHalfAngle;
 }
 
-/** Pings whose arcs are on the map, oldest first: those of the last scan, the last 250, or of one sensor. */
+/** Pings whose arcs are on the map, oldest first: those of the last scan, the last 250, of one sensor, or rejected for one reason. */
 export function shownPings(model: Model): readonly PingRecord[] {
   const { view } = model;
   if (!view.layers.has('arcs') || view.name === 'explain' || view.name === 'step') return [];
   const recent = model.held?.recent ?? model.pings.recent;
   if (view.arcs === '250') return recent.slice(-250);
+  const reason = /^r(\d+)$/.exec(view.arcs)?.[1];
+  if (reason !== undefined) return recent.filter((p) => p.outcome === 'rejected' && p.reason === Number(reason)).slice(-rejectedShown);
   const sensor = /^s(\d+)$/.exec(view.arcs)?.[1];
   const some = sensor === undefined ? recent.slice(-256) : recent.filter((p) => p.rx === Number(sensor)).slice(-16);
   if (sensor !== undefined) return some;
@@ -90,7 +93,7 @@ function cones(pen: Pen, model: Model, state: OverlayState): void {
   const now = pings.at(-1)?.t ?? 0;
   const alphaOf = (p: PingRecord): number => {
     if (state.sensor === p.rx) return state.blinkOn ? 1 : leastAlpha;
-    return state.calm ? 1 : Math.max(leastAlpha, 1 - (now - p.t) / fadeS);
+    return state.calm || model.view.arcs.startsWith('r') ? 1 : Math.max(leastAlpha, 1 - (now - p.t) / fadeS);
   };
   drawCones(pen, pings, { halfAngleOf, alphaOf });
 }

@@ -5,6 +5,8 @@
 import { probabilityOf, tileSide } from '../model/map_store.ts';
 import type { MethodMap } from '../model/method_map.ts';
 import type { PingRecord } from '../model/ping_store.ts';
+import type { Camera } from '../model/model.ts';
+import type { Area } from './camera.ts';
 import { arcDistancePx } from './cones.ts';
 import type { Pick } from './map_view.ts';
 
@@ -42,7 +44,25 @@ function nearestPoint({ points, s }: PickFrom, x: number, y: number): Pick | nul
   return found && pointPick(found.map, found.slot);
 }
 
-export function pointPick(map: MethodMap, slot: number): Extract<Pick, { kind: 'point' }> {
+export type PointPick = Extract<Pick, { kind: 'point' }>;
+
+/** The point after or before `from`, walking outwards from the centre of the view; the nearest when `from` is not in view. */
+export function nextPoint(maps: readonly MethodMap[], { x, y, s }: Camera, area: Area, from: PointPick | null, direction: 1 | -1): PointPick | null {
+  const reach = Math.min(area.width, area.height) / 2 / s;
+  const near: { map: MethodMap; slot: number; d: number }[] = [];
+  for (const map of maps) {
+    for (let slot = 0; slot < map.slots; slot++) {
+      const d = Math.hypot((map.x[slot] ?? 0) - x, (map.y[slot] ?? 0) - y);
+      if (map.alive[slot] && d <= reach) near.push({ map, slot, d });
+    }
+  }
+  near.sort((a, b) => a.d - b.d);
+  const at = near.findIndex(({ map, slot }) => map.method === from?.method && slot === from.slot);
+  const next = near[at < 0 ? 0 : (at + direction + near.length) % near.length];
+  return next ? pointPick(next.map, next.slot) : null;
+}
+
+export function pointPick(map: MethodMap, slot: number): PointPick {
   return {
     kind: 'point', method: map.method, slot, x: map.x[slot] ?? 0, y: map.y[slot] ?? 0, ping: map.ping[slot] ?? 0,
     boundM: map.boundM[slot] ?? Number.NaN,

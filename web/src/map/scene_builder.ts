@@ -39,10 +39,14 @@ export function comparedMethods(model: Model): string[] {
   return (chosen.length > 0 ? chosen : running).slice(0, mode === 'side' ? 4 : 2);
 }
 
+const narrowPx = 520;
+/** Phones have two panes, one below the other. */
+export const mostPanes = (width: number): number => (width < narrowPx ? 2 : 4);
+
 /** 1; 1|1; 2 x 2, with a hairline between. */
-export function sideAreas(count: number, width: number, height: number): Area[] {
-  const columns = count > 1 ? 2 : 1;
-  const rows = count > 2 ? 2 : 1;
+export function sideAreas(count: number, width: number, height: number, most = 4): Area[] {
+  const columns = count > 1 && most > 2 ? 2 : 1;
+  const rows = Math.ceil(count / columns);
   const [w, h] = [width / columns, height / rows];
   return Array.from({ length: count }, (_, i) => ({ x: (i % columns) * w, y: Math.floor(i / columns) * h, width: w, height: h }));
 }
@@ -51,9 +55,9 @@ export function buildPanes(wish: SceneWish): PaneScene[] {
   const { model, width, height } = wish;
   const whole = { x: 0, y: 0, width, height };
   if (model.view.name !== 'compare') return [mapPane(wish, whole)];
-  const methods = comparedMethods(model);
+  const methods = comparedMethods(model).slice(0, mostPanes(width));
   const { mode, blend, swipe } = model.view.compare;
-  if (mode === 'side') return sideAreas(methods.length, width, height).map((area, i) => comparePane(wish, area, area, [methods[i] ?? ''], [1]));
+  if (mode === 'side') return sideAreas(methods.length, width, height, mostPanes(width)).map((area, i) => comparePane(wish, area, area, [methods[i] ?? ''], [1]));
   if (mode === 'blend') return [comparePane(wish, whole, whole, methods, [Math.min(1, 2 * (1 - blend)), Math.min(1, 2 * blend)])];
   const at = Math.round(width * swipe);
   const clips = [{ ...whole, width: at }, { ...whole, x: at, width: width - at }];

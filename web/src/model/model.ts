@@ -49,7 +49,7 @@ export interface View {
   /** Methods on the map, the first is primary. */
   shown: string[];
   layers: Set<LayerName>;
-  /** 'scan', '250' or 's3': the last scan, the last 250 pings, those of one sensor. */
+  /** 'scan', '250', 's3' or 'r2': the last scan, the last 250 pings, those of one sensor, those rejected for one reason. */
   arcs: string;
   compare: { mode: 'side' | 'swipe' | 'blend'; blend: number; swipe: number; methods: string[] };
   /** Time of the source that is looked at; null: live. */

@@ -87,7 +87,7 @@ const readers: Record<string, Reader> = {
     if (!list.every((name) => layerNames.some((known) => known === name))) return false;
     return setIf(view, 'layers', new Set(list as LayerName[]));
   },
-  arcs: (value, view) => setIf(view, 'arcs', /^(scan|250|s\d{1,5})$/.test(value) ? value : null),
+  arcs: (value, view) => setIf(view, 'arcs', /^(scan|250|s\d{1,5}|r\d{1,2})$/.test(value) ? value : null),
   cmp: (value, view) => readCompare(view, 'mode', modes.find((mode) => mode === value) ?? null),
   b: (value, view) => readCompare(view, 'blend', numberIn(value, 0, 1)),
   w: (value, view) => readCompare(view, 'swipe', numberIn(value, 0, 1)),

@@ -5,6 +5,7 @@ import type { App, Panel } from '../ui/app.ts';
 import { h } from '../ui/dom.ts';
 import { centimetres, dash, fixed } from '../ui/format.ts';
 import { saveBlob } from '../ui/save.ts';
+import { wireCrosshair } from './crosshair.ts';
 import { layerRows } from './live_panel.ts';
 import { markOf } from './method_rows.ts';
 import { refill } from './refill.ts';
@@ -34,7 +35,7 @@ function exportTable(app: App): void {
 }
 
 export function makeComparePanel(app: App): Panel {
-  const tableBox = h('div'), chart = h('div'), look = h('div'), layerBox = h('section', { class: 'sec' }), picks = h('div', { class: 'picks' });
+  const tableBox = h('div'), chart = h('div', { class: 'charted' }), look = h('div'), layerBox = h('section', { class: 'sec' }), picks = h('div', { class: 'picks' });
   const update = (): void => {
     const methods = compared(app);
     refill(tableBox, app.model.scores?.reason ? [h('p', {}, app.model.scores.reason)] : [table(app, methods)]);
@@ -54,6 +55,7 @@ export function makeComparePanel(app: App): Panel {
   return {
     title: 'Methods over one log', update, unmount: () => undefined,
     mount(host) {
+      wireCrosshair(app, chart);
       host.append(h('section', { class: 'sec' }, [h('h1', { tabindex: -1 }, 'Methods over one log'), h('p', {}, 'All read the same pings. Pan and zoom move all maps together.')]),
         h('section', { class: 'sec' }, [h('h2', {}, 'Against the true walls'), tableBox]), h('section', { class: 'sec' }, [h('h2', {}, 'Mean error, cm'), chart]),
         h('section', { class: 'sec' }, [h('h2', {}, 'What to look for'), look]), h('section', { class: 'sec' }, [h('h2', {}, 'Choose methods'), picks]), layerBox,

@@ -13,7 +13,8 @@ export function displayUnit(option: Option): { factor: number; unit: string } {
   return { factor: 1, unit: option.unit === '1' ? '' : option.unit };
 }
 
-export const optionTitle = (option: Option): string => capital(plain(option.name));
+/** The name in words, without the unit that stands in the field. */
+export const optionTitle = (option: Option): string => capital(plain(option.unit && option.unit !== '1' && option.name.endsWith(`_${option.unit.toLowerCase()}`) ? option.name.slice(0, -option.unit.length - 1) : option.name));
 
 export function shownNumber(option: Option, value: number): string {
   return String(Number((value * displayUnit(option).factor).toPrecision(6))).replace('-', '−');

@@ -5,7 +5,7 @@
 import type { Option } from '../protocol/messages.ts';
 import type { App, Panel } from '../ui/app.ts';
 import { h } from '../ui/dom.ts';
-import { whole } from '../ui/format.ts';
+import { capital, whole } from '../ui/format.ts';
 import { words } from '../words.ts';
 import { backButton } from './back.ts';
 import { markOf } from './method_rows.ts';
@@ -57,7 +57,7 @@ function optionRow(option: Option, value: Value, disabled: boolean, set: Set): H
     if (field) head.push(field);
     below.push(...rest);
   }
-  return h('div', { class: `opt${changed ? ' chg' : ''}` }, [h('div', { class: 'hd' }, head), ...below, h('p', {}, option.doc)]);
+  return h('div', { class: `opt${changed ? ' chg' : ''}` }, [h('div', { class: 'hd' }, head), ...below, h('p', {}, capital(option.doc))]);
 }
 
 export function makeOptionsPanel(app: App): Panel {

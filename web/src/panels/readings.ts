@@ -17,6 +17,13 @@ export function rejectionRows(app: App): { name: string; count: number; remedy: 
   return [...all].map(([name, count]) => ({ name, count, remedy: welcome?.rejections.find((r) => r.name === name)?.remedy ?? '' })).sort((a, b) => b.count - a.count);
 }
 
+/** Puts the pings that were rejected for that reason on the map; null: the last scan again. */
+export function showRejected({ model }: App, name: string | null): void {
+  const reason = model.welcome?.rejections.findIndex((r) => r.name === name) ?? -1;
+  if (reason < 0) { if (model.view.arcs.startsWith('r')) model.show({ arcs: 'scan' }); return; }
+  model.show({ arcs: `r${reason}`, layers: new Set([...model.view.layers, 'arcs']) });
+}
+
 export const sum = (counts: Record<string, number>): number => Object.values(counts).reduce((a, b) => a + b, 0);
 
 function bar(parts: readonly [string, number, string][], total: number): SVGElement {

@@ -3,25 +3,37 @@
 
 import type { App } from '../ui/app.ts';
 import { h, svg } from '../ui/dom.ts';
-import { clock } from '../ui/format.ts';
+import { capital, clock } from '../ui/format.ts';
 import { slotColour } from '../map/slots.ts';
 import { slotsOf } from './method_rows.ts';
 
-const width = 312, left = 26, right = 232, top = 6;
+export const width = 312, left = 26, right = 224;
+const top = 6;
 
 /** Smallest of a round series that is at least the value. */
 export function niceTop(value: number): number {
   return [0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5].find((step) => step >= value) ?? value;
 }
 
-/** Moves labels down so that each is `gap` below the one before. */
-export function pushApart(places: readonly number[], gap = 13): number[] {
+/** A method beside the end of its line: its last word where the whole would not fit. */
+export function chartLabel(short: string): string {
+  const text = short.replace('Occupancy grid', 'Grid');
+  return text.length <= 12 ? text : capital(text.split(' ').at(-1) ?? text).slice(0, 12);
+}
+
+/** Moves labels down so that each is `gap` below the one before, then up where they would leave the chart. */
+export function pushApart(places: readonly number[], gap = 13, lowest = Number.POSITIVE_INFINITY): number[] {
   const order = places.map((_, i) => i).sort((a, b) => (places[a] ?? 0) - (places[b] ?? 0));
   const out = [...places];
   order.forEach((index, k) => {
     const before = k > 0 ? out[order[k - 1] ?? 0] ?? 0 : Number.NEGATIVE_INFINITY;
     out[index] = Math.max(places[index] ?? 0, before + gap);
   });
+  let limit = lowest;
+  for (const index of [...order].reverse()) {
+    out[index] = Math.min(out[index] ?? 0, limit);
+    limit = (out[index] ?? 0) - gap;
+  }
   return out;
 }
 
@@ -39,14 +51,14 @@ export function scoreChart(app: App, height = 116): SVGElement {
     parts.push(svg('path', { d: `M${left} ${y(v) + 0.5}H${right}`, stroke: 'var(--line)' }));
     parts.push(text(String(Number((v * 100).toFixed(1))), { x: left - 6, y: y(v) + 4, 'text-anchor': 'end' }));
   }
-  for (const t of [0, lastT / 2, lastT]) parts.push(text(clock(t), { x: x(t), y: height - 4, 'text-anchor': 'middle' }));
+  for (const t of [0, lastT / 2, lastT]) parts.push(text(clock(t), { x: x(t), y: height - 4, 'text-anchor': t === lastT ? 'end' : 'middle' }));
   const colours = series.map(([method]) => { const slot = slots.get(method); return slot ? `var(--${slotColour[slot]})` : 'var(--ink2)'; });
   series.forEach(([method, s], i) => {
     const d = s.t.map((t, k) => ({ t, v: s.maeM[k] ?? Number.NaN })).filter((p) => Number.isFinite(p.v)).map((p, k) => `${k ? 'L' : 'M'}${x(p.t).toFixed(1)} ${y(p.v).toFixed(1)}`).join('');
     parts.push(svg('path', { d, fill: 'none', stroke: colours[i] ?? '', 'stroke-width': method === app.model.view.shown[0] ? 2 : 1.5, 'stroke-dasharray': slots.has(method) ? null : '4 2', 'stroke-linejoin': 'round' }));
   });
-  const ends = pushApart(series.map(([, s]) => y(s.maeM.filter(Number.isFinite).at(-1) ?? 0)));
-  series.forEach(([method], i) => parts.push(text(app.shortOf(method).replace('Occupancy grid', 'Grid').slice(0, 13), { x: right + 7, y: (ends[i] ?? 0) + 4, fill: colours[i] ?? '', 'font-weight': 550 })));
+  const ends = pushApart(series.map(([, s]) => y(s.maeM.filter(Number.isFinite).at(-1) ?? 0)), 13, bottom);
+  series.forEach(([method], i) => parts.push(text(chartLabel(app.shortOf(method)), { x: right + 7, y: (ends[i] ?? 0) + 4, fill: colours[i] ?? '', 'font-weight': 550 })));
   return svg('svg', { class: 'chart', viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': 'Mean distance to the true wall over time, per method' }, parts);
 }
 

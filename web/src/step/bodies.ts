@@ -3,14 +3,13 @@
 
 /** What the open step says: sentences, formulas with this ping's numbers, tables. */
 import { formulaLine } from '../formula/formula.ts';
-import { metres, place } from '../formula/numbers.ts';
+import { count, metres, place } from '../formula/numbers.ts';
 import { formulaBox } from '../formula/typeset.ts';
 import type { Rejection, Stepped } from '../protocol/messages.ts';
-import { count } from '../formula/numbers.ts';
 import { h, type Child } from '../ui/dom.ts';
 import { icon } from '../ui/icons.ts';
-import { type Cell, cellRank } from './cells.ts';
-import { changeCounts, type PartLine } from './parts.ts';
+import { type Cell, cellRank, gain } from './cells.ts';
+import { changeCounts, type PartLine, speaksOfCells } from './parts.ts';
 import { beforeAfter, reasonText, words } from './words.ts';
 
 export interface BodyContext {
@@ -29,12 +28,13 @@ function rangeBox(s: Stepped, line: PartLine): HTMLElement {
 
 function whyNot(s: Stepped, rejections: readonly Rejection[]): Child[] {
   const known = rejections.find((r) => r.name === s.ping.reason);
-  return [h('p', { class: 'step-rejected' }, words.rejectedFor(s.ping.reason ?? s.reason)), p(reasonText(known?.explanation ?? s.reason)),
+  const [what, why] = [words.rejectedFor(s.ping.reason ?? s.reason), reasonText(known?.explanation ?? s.reason)];
+  return [h('p', { class: 'step-rejected' }, what), why === what ? null : p(why),
     known && known.remedy !== '' ? h('p', { class: 'hint' }, reasonText(known.remedy)) : null];
 }
 
 function echoBody(s: Stepped, line: PartLine, { rejections }: BodyContext): Child[] {
-  const way = s.ping.tx === s.ping.rx ? words.thereAndBack : words.wayOfTwo;
+  const way = (s.ping.tx === s.ping.rx ? words.thereAndBack : words.wayOfTwo)(s.time_of_flight_s ?? 0);
   const heard: Child[] = line.strong === '' ? [p(line.line === '' ? `${words.noRange}` : line.line)] : [p(way), rangeBox(s, line)];
   return s.ping.outcome === 'rejected' ? [...heard, ...whyNot(s, rejections)] : heard;
 }
@@ -52,11 +52,12 @@ function arcBody(s: Stepped, line: PartLine): Child[] {
 }
 
 function countsLine(s: Stepped): HTMLElement {
-  const { fuller, emptier } = changeCounts(s);
+  const { fuller, emptier, same } = changeCounts(s);
   const parts: Child[] = [];
-  if (fuller > 0) parts.push(h('b', { class: 'step-fuller' }, words.fuller(fuller)), words.getFuller(fuller));
+  if (fuller > 0) parts.push(h('b', { class: 'step-fuller' }, words.cells(fuller)), words.getFuller(fuller));
   if (fuller > 0 && emptier > 0) parts.push(', ');
-  if (emptier > 0) parts.push(h('b', { class: 'step-emptier' }, words.fuller(emptier)), words.getEmptier(emptier));
+  if (emptier > 0) parts.push(h('b', { class: 'step-emptier' }, words.cells(emptier)), words.getEmptier(emptier));
+  if (same > 0) parts.push(words.stay(same));
   return h('p', {}, [...parts, '. ', words.clickCell]);
 }
 
@@ -67,19 +68,22 @@ function cellsBody(s: Stepped, { cell, moveCell }: BodyContext): Child[] {
   const turn = (by: number, label: string): HTMLElement => h('button', { class: by < 0 ? 'mini' : 'mini step-flip', 'aria-label': label, title: label, 'data-key': label }, [icon('back')], { click: () => moveCell(by) });
   const row = h('div', { class: 'step-cell' }, [h('span', {}, words.outlined), h('span', { class: 'step-rank' }, words.cellNumber(cellRank(s.cells, cell), s.cells.length)),
     turn(-1, words.previousCell), turn(1, words.nextCell)]);
-  return [countsLine(s), row, ...boxes, h('p', { class: 'step-held' }, [held.before, h('b', { class: cell.after > cell.before ? 'step-fuller' : 'step-emptier' }, held.after), ' after'])];
+  return [countsLine(s), row, ...boxes, h('p', { class: 'step-held' }, [held.before, h('b', { class: gain(cell, s.unit) > 0 ? 'step-fuller' : 'step-emptier' }, held.after), ' after'])];
 }
 
-function arcsBody(s: Stepped, line: PartLine): Child[] {
-  if (s.arcs.length === 0) return [p(line.line), s.summary === '' ? null : p(s.summary)];
+function arcsBody(s: Stepped): Child[] {
   const rows = s.arcs.slice(0, shownArcs).map(({ ping, what, note }) => h('tr', {}, [h('td', {}, count(ping.ping)), h('td', {}, String(ping.rx)), h('td', {}, metres(ping.range_m)), h('td', { class: 'explain-note' }, words.happens(what, note))]));
   const head = words.columns.map((name, i) => h('th', { scope: 'col', class: i === words.columns.length - 1 ? 'left' : null }, name));
   return [h('table', { class: 'explain-support' }, [h('thead', {}, [h('tr', {}, head)]), h('tbody', {}, rows)]), s.arcs.length > shownArcs ? p(words.moreArcs(s.arcs.length - shownArcs), 'small') : null];
 }
 
+function pointsLine(s: Stepped): HTMLElement | null {
+  return s.points.length === 0 ? null : p(words.pointsAt(s.points.map(([x, y]) => place(x, y)).join('; ')));
+}
+
 function afterBody(s: Stepped): Child[] {
-  const points = s.points.map(([x, y]) => place(x, y)).join('; ');
-  return [s.summary === '' ? null : p(s.summary), points === '' ? null : p(words.pointsAt(points)), p(words.mapMoved)];
+  const isTold = !speaksOfCells(s) && s.arcs.length === 0;
+  return isTold ? [p(words.mapMoved)] : [s.summary === '' ? null : p(s.summary), pointsLine(s), p(words.mapMoved)];
 }
 
 export function bodyOf(s: Stepped, line: PartLine, context: BodyContext): Child[] {
@@ -90,7 +94,8 @@ export function bodyOf(s: Stepped, line: PartLine, context: BodyContext): Child[
     case 'arc':
     case 'cone': return arcBody(s, line);
     case 'cells': return cellsBody(s, context);
-    case 'arcs': return arcsBody(s, line);
+    case 'arcs': return arcsBody(s);
+    case 'adds': return [p(line.line), pointsLine(s)];
     case 'after': return afterBody(s);
   }
 }

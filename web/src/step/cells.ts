@@ -2,25 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /** Which of the changed cells is looked at. */
+import { fullness } from '../formula/fullness.ts';
 import type { Stepped } from '../protocol/messages.ts';
 
 export type Cell = Stepped['cells'][number];
 export interface CellIndex { i: number; j: number }
 
-const change = (c: Cell): number => c.after - c.before;
+/** How much fuller it gets; below 0: emptier. */
+export const gain = (c: Cell, unit: string): number => fullness(unit, c.after - c.before);
 
-/** The one that grows most; where none does, the one that shrinks most. */
-export function firstCell(cells: readonly Cell[]): Cell | null {
+/** The one that gets fuller most; where none does, the one that gets emptier most. */
+export function firstCell(cells: readonly Cell[], unit: string): Cell | null {
   let best: Cell | null = null;
-  for (const c of cells) if (!best || change(c) > change(best)) best = c;
-  if (best && change(best) > 0) return best;
+  for (const c of cells) if (!best || gain(c, unit) > gain(best, unit)) best = c;
+  if (best && gain(best, unit) > 0) return best;
   best = null;
-  for (const c of cells) if (!best || Math.abs(change(c)) > Math.abs(change(best))) best = c;
+  for (const c of cells) if (!best || Math.abs(gain(c, unit)) > Math.abs(gain(best, unit))) best = c;
   return best;
 }
 
-export function chosenCell(cells: readonly Cell[], wanted: CellIndex | null): Cell | null {
-  return cells.find((c) => c.i === wanted?.i && c.j === wanted.j) ?? firstCell(cells);
+export function chosenCell(cells: readonly Cell[], wanted: CellIndex | null, unit: string): Cell | null {
+  return cells.find((c) => c.i === wanted?.i && c.j === wanted.j) ?? firstCell(cells, unit);
 }
 
 /** The n-th after this one, in rows from below; around at the end. */

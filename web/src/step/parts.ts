@@ -4,9 +4,10 @@
 /** What the five steps of a ping say when they are closed. */
 import type { Stepped } from '../protocol/messages.ts';
 import { metres } from '../formula/numbers.ts';
+import { gain } from './cells.ts';
 import { words } from './words.ts';
 
-export type PartName = 'echo' | 'sensor' | 'arc' | 'cone' | 'cells' | 'arcs' | 'after';
+export type PartName = 'echo' | 'sensor' | 'arc' | 'cone' | 'cells' | 'arcs' | 'adds' | 'after';
 export interface PartLine { name: PartName; title: string; /** At the right of the title. */ value: string; /** Below it once it is done. */ line: string; /** Its end is set in bold. */ strong: string }
 
 export const partCount = 5;
@@ -23,12 +24,14 @@ function echo(s: Stepped): PartLine {
 }
 
 function arc(s: Stepped): PartLine {
-  if (!s.arc) return { name: 'cone', title: words.parts.cone, value: words.clears(s.ping.trusted_range_m), line: words.noArc, strong: '' };
-  return { name: 'arc', title: words.parts.arc, value: words.arcLong(s.arc.length_m), line: words.somewhere, strong: '' };
+  if (!s.arc && s.ping.outcome === 'no_echo') return { name: 'cone', title: words.parts.cone, value: words.clears(s.ping.trusted_range_m), line: words.noArc, strong: '' };
+  return { name: 'arc', title: words.parts.arc, value: s.arc ? words.arcLong(s.arc.length_m) : '', line: words.somewhere, strong: '' };
 }
 
-export function changeCounts(s: Stepped): { fuller: number; emptier: number } {
-  return { fuller: s.cells.filter((c) => c.after > c.before).length, emptier: s.cells.filter((c) => c.after < c.before).length };
+export function changeCounts(s: Stepped): { fuller: number; emptier: number; same: number } {
+  const fuller = s.cells.filter((c) => gain(c, s.unit) > 0).length;
+  const emptier = s.cells.filter((c) => gain(c, s.unit) < 0).length;
+  return { fuller, emptier, same: s.cells.length - fuller - emptier };
 }
 
 /** Of methods without cells the other arcs are what a ping meets. */
@@ -37,13 +40,14 @@ export const speaksOfCells = (s: Stepped): boolean => s.cell_m !== null || s.cel
 function changes(s: Stepped): PartLine {
   if (speaksOfCells(s)) {
     const { fuller, emptier } = changeCounts(s);
-    const parts = [fuller > 0 && `${words.fuller(fuller)}${words.getFuller(fuller)}`, emptier > 0 && `${words.fuller(emptier)}${words.getEmptier(emptier)}`].filter((part) => part !== false);
+    const parts = [fuller > 0 && `${words.cells(fuller)}${words.getFuller(fuller)}`, emptier > 0 && `${words.cells(emptier)}${words.getEmptier(emptier)}`].filter((part) => part !== false);
     return { name: 'cells', title: words.parts.cells, value: words.cells(s.cells.length), line: parts.join(', '), strong: '' };
   }
+  if (s.arcs.length === 0) return { name: 'adds', title: words.parts.nothingTouched, value: s.points.length > 0 ? words.points(s.points.length) : '', line: s.summary === '' ? words.noArcs : s.summary, strong: '' };
   const crossed = s.arcs.some((a) => a.what === 'crossed');
   const cut = s.arcs.some((a) => a.what !== 'crossed');
-  const title = crossed && cut ? words.arcsBoth : crossed ? words.arcsCrossed : cut ? words.arcsCut : words.arcsNone;
-  return { name: 'arcs', title, value: words.arcs(new Set(s.arcs.map((a) => a.ping.ping)).size), line: s.arcs.length === 0 ? words.noArcs : '', strong: '' };
+  const title = crossed && cut ? words.arcsBoth : crossed ? words.arcsCrossed : words.arcsCut;
+  return { name: 'arcs', title, value: words.arcs(new Set(s.arcs.map((a) => a.ping.ping)).size), line: '', strong: '' };
 }
 
 export function partLines(s: Stepped): PartLine[] {

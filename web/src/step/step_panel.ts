@@ -38,6 +38,7 @@ class Stepping implements StepPanel {
   private ray = false;
   private truePose = false;
   private drawn = '';
+  private shownPart: number | null = null;
   private isMounted = false;
   private heldBefore: number | null = null;
   private heldHere: number | null = null;
@@ -150,7 +151,7 @@ class Stepping implements StepPanel {
   private show(s: Stepped): void {
     const { model } = this.app;
     const part = this.part(s);
-    const cell = chosenCell(s.cells, model.view.cell);
+    const cell = chosenCell(s.cells, model.view.cell, s.unit);
     const sensor = s.ping.tx === s.ping.rx ? String(s.ping.rx) : `${s.ping.tx} → ${s.ping.rx}`;
     this.heading.textContent = words.title(s.ping.ping);
     this.sentence.textContent = words.whatIs(sensor, s.ping.t, this.app.titleOf(s.method), s.cell_m);
@@ -160,6 +161,8 @@ class Stepping implements StepPanel {
       moveCell: (by) => { if (cell) this.choose(cellAfter(s.cells, cell, by)); },
     }, (to) => this.go(to));
     replaceKeepingFocus(this.body, [list]);
+    if (this.shownPart !== null && this.shownPart !== part) list.querySelector('.now')?.scrollIntoView({ block: 'nearest' });
+    this.shownPart = part;
     this.fillFoot(s, part);
     this.app.map.setStep(s, part, cell && { i: cell.i, j: cell.j }, { ray: this.ray, truePose: this.truePose && s.true_pose !== null });
     this.hold(s.ping.t);

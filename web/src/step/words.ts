@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /** Every text of step mode. */
-import { centimetres, count, decimals, degrees, exactTime, length, metres, place, plainNumber, signedDegrees } from '../formula/numbers.ts';
+import { unitWords } from '../formula/fullness.ts';
+import { centimetres, count, decimals, degrees, direction, exactTime, length, metres, place, plainNumber, signedDegrees } from '../formula/numbers.ts';
 import { capital, words as plain } from '../ui/format.ts';
 
 const several = (n: number, one: string, many: string): string => `${count(n)} ${n === 1 ? one : many}`;
@@ -20,7 +21,7 @@ export const words = {
   method: 'Method',
   parts: {
     echo: 'The echo', noEcho: 'No echo', sensor: 'Where the sensor was', arc: 'The arc', cone: 'What it clears',
-    cells: 'The cells it changes', after: 'The map after this ping',
+    cells: 'The cells it changes', nothingTouched: 'What it adds to the map', after: 'The map after this ping',
   },
   notUsed: 'not used',
   rejected: 'rejected',
@@ -28,14 +29,14 @@ export const words = {
   silence: 'silence',
   milliseconds: (s: number): string => `${decimals(s * 1000, 2)} ms`,
   halfPath: (speed: number, s: number): string => `½ · ${decimals(speed, 1)} m/s · ${words.milliseconds(s)} = `,
-  thereAndBack: 'Sound went there and back in that time; half the way is the range.',
-  wayOfTwo: 'Sound went from one sensor there and back to the other in that time; half the way is the range.',
-  rangeWords: 'Half the way that sound goes in that time',
+  thereAndBack: (s: number): string => `Sound went there and back in ${words.milliseconds(s)}.`,
+  wayOfTwo: (s: number): string => `Sound went out from one sensor and came back to the other in ${words.milliseconds(s)}.`,
+  rangeWords: 'Half of that way is the range',
   silentUpTo: (m: number): string => `Nothing answered up to ${metres(m)}; further out silence says nothing.`,
   noRange: 'It has no range.',
   rejectedFor: (name: string): string => `Rejected: ${plain(name)}.`,
-  facing: (yawRad: number): string => `Facing ${degrees(yawRad)} when it fired`,
-  robotAt: (x: number, y: number, yawRad: number): string => `By odometry the robot was at ${place(x, y)} m, heading ${degrees(yawRad)}. The sensor sits on it as the description says.`,
+  facing: (yawRad: number): string => `Facing ${direction(yawRad)} when it fired`,
+  robotAt: (x: number, y: number, yawRad: number): string => `By odometry the robot was at ${place(x, y)} m, heading ${direction(yawRad)}. The sensor sits on it as the description says.`,
   twoSensors: (rx: number, x: number, y: number): string => `Sensor ${rx}, which heard it, was at ${place(x, y)} m.`,
   whatIf: (m: number, yawRad: number): string => `What if: truly it was ${centimetres(m)} and ${degrees(Math.abs(yawRad))} off. Only the picture moves; the map is made with odometry.`,
   metresOf: (x: number, y: number): string => `${place(x, y)} m`,
@@ -45,7 +46,7 @@ export const words = {
   clears: (m: number): string => `up to ${metres(m)}`,
   noArc: 'Nothing answered, so there is no arc. The beam up to there is likely free.',
   cells: (n: number): string => several(n, 'cell', 'cells'),
-  fuller: (n: number): string => several(n, 'cell', 'cells'),
+  stay: (n: number): string => (n === 1 ? `, ${words.cells(n)} stays` : `, ${words.cells(n)} stay`),
   getFuller: (n: number): string => (n === 1 ? ' gets fuller' : ' get fuller'),
   getEmptier: (n: number): string => (n === 1 ? ' gets emptier' : ' get emptier'),
   outlined: 'The outlined one:',
@@ -53,8 +54,8 @@ export const words = {
   previousCell: 'Previous cell', nextCell: 'Next cell',
   cellNumber: (n: number, of: number): string => `${count(n)} of ${count(of)}`,
   arcs: (n: number): string => several(n, 'arc', 'arcs'),
-  arcsCrossed: 'The arcs it crosses', arcsCut: 'The arcs it cuts', arcsBoth: 'The arcs it crosses and cuts', arcsNone: 'The arcs it meets',
-  noArcs: 'It meets no older arc that it crosses or cuts.',
+  arcsCrossed: 'The arcs it crosses', arcsCut: 'The arcs it cuts', arcsBoth: 'The arcs it crosses and cuts',
+  noArcs: 'It crosses and cuts no older arc.',
   columns: ['Ping', 'Sensor', 'Range', 'What happens'],
   happens: (what: 'crossed' | 'cut' | 'removed', note: string): string => (what === 'crossed' ? `crosses ${note}`.trimEnd() : note === '' ? what : note),
   moreArcs: (n: number): string => `and ${several(n, 'arc', 'arcs')} more, all on the map`,
@@ -62,7 +63,7 @@ export const words = {
   points: (n: number): string => `+${several(n, 'point', 'points')}`,
   mapMoved: 'The map now holds this ping. Go on with the next.',
   back: 'Back', next: (part: string): string => `Next: ${part}`, nextPing: 'Next ping',
-  nextParts: { sensor: 'where the sensor was', arc: 'the arc', cone: 'what it clears', cells: 'the cells it changes', arcs: 'the other arcs', after: 'the map after it' },
+  nextParts: { sensor: 'the sensor', arc: 'the arc', cone: 'what it clears', cells: 'the cells', arcs: 'the other arcs', adds: 'what it adds', after: 'the map after it' },
 };
 
 export const reasonText = (reason: string): string => `${capital(plain(reason)).replace(/\.$/, '')}.`;
@@ -72,7 +73,7 @@ export function beforeAfter(before: number, after: number, unit: string): { befo
   const percent = (p: number): string => `${decimals(100 * p, 0)}%`;
   if (unit === 'log-odds') return { before: `${percent(shareOf(before))} occupied before, `, after: percent(shareOf(after)) };
   if (unit === 'p') return { before: `${percent(before)} occupied before, `, after: percent(after) };
-  return { before: `${plainNumber(before)} before, `, after: `${plainNumber(after)}${unit === '' ? '' : ` ${unit}`}` };
+  return { before: `${plainNumber(before)} before, `, after: `${plainNumber(after)}${unit === '' ? '' : ` ${unitWords(unit)}`}` };
 }
 
 /** Log-odds written as the share that they stand for. */

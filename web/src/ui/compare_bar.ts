@@ -3,6 +3,7 @@
 
 /** Switch between side by side, swipe and blend; labels of the panes; the divider. */
 import { markOf } from '../panels/method_rows.ts';
+import { mostPanes, sideAreas } from '../map/scene_builder.ts';
 import { compared } from '../panels/compare_panel.ts';
 import { refill } from '../panels/refill.ts';
 import type { App } from './app.ts';
@@ -53,16 +54,20 @@ export function mountCompareBar(app: App, over: HTMLElement): void {
 function showLabels(app: App, host: HTMLElement): void {
   const { mode, swipe, methods } = app.model.view.compare;
   const error = (m: string): number | null => app.model.scores?.methods.find((s) => s.method === m)?.mae_m ?? null;
-  const places = methods.slice(0, mode === 'side' ? 4 : 2).map((method, i, all) => {
-    if (mode !== 'side') return { method, x: i === 0 ? 0 : mode === 'swipe' ? swipe : 0.5, y: 0 };
-    return { method, x: all.length === 1 ? 0 : (i % 2) / 2, y: all.length > 2 ? Math.floor(i / 2) / 2 : 0 };
+  const { clientWidth: width, clientHeight: height } = app.mapHost;
+  const own = methods.slice(0, mode === 'side' ? mostPanes(width) : 2);
+  const areas = mode === 'side' ? sideAreas(own.length, width, height, mostPanes(width)) : own.map((_, i) => {
+    const at = (mode === 'swipe' ? swipe : 0.5) * width;
+    return { x: i === 0 ? 0 : at, y: 0, width: i === 0 ? at : width - at, height };
   });
+  const places = own.map((method, i) => ({ method, area: areas[i] ?? { x: 0, y: 0, width, height } }));
   const best = places.map((p) => error(p.method) ?? Number.POSITIVE_INFINITY).reduce((a, b) => Math.min(a, b), Number.POSITIVE_INFINITY);
-  refill(host, places.map(({ method, x, y }) => {
+  refill(host, places.map(({ method, area }) => {
     const e = error(method);
-    const label = h('div', { class: 'pl' }, [markOf(app, method), app.titleOf(method), e !== null && h('small', {}, `${centimetres(e)} error`), e !== null && e === best && h('span', { class: 'best' }, 'closest')]);
-    label.style.setProperty('left', `calc(${x * 100}% + 14px)`);
-    label.style.setProperty('top', `calc(${y * 100}% + 12px)`);
+    const label = h('div', { class: 'pl' }, [markOf(app, method), h('b', {}, app.titleOf(method)), e !== null && h('small', {}, `${centimetres(e)} error`), e !== null && e === best && h('span', { class: 'best' }, 'closest')]);
+    label.style.setProperty('left', `${area.x + 14}px`);
+    label.style.setProperty('top', `${area.y + 12}px`);
+    label.style.setProperty('max-width', `${Math.max(80, area.width - 28)}px`);
     return label;
   }));
 }

@@ -7,7 +7,7 @@ import type { ViewName } from '../model/model.ts';
 import { lettersOn, showShortcuts } from './shortcuts.ts';
 import { stepPing, togglePause } from '../dock/playback.ts';
 
-export interface KeyActions { togglePad(): void; toggleStrip(): void; startGoTo(): boolean; cancel(): boolean; focusLayers(): void }
+export interface KeyActions { togglePad(): void; toggleStrip(): void; startGoTo(): boolean; cancel(): boolean; walk(direction: 1 | -1): void; explainWalked(): boolean; focusLayers(): void }
 
 const views: Record<string, ViewName> = { m: 'map', c: 'compare', t: 'step' };
 
@@ -41,6 +41,7 @@ function act(app: App, actions: KeyActions, event: KeyboardEvent): boolean {
   const { model } = app;
   if (event.key === 'Escape') return escape(app, actions);
   if (document.querySelector('dialog[open]') || !lettersOn()) return false;
+  if (onMap(app, event.target) && mapKey(app, actions, event)) return true;
   const key = event.key.toLowerCase();
   const view = views[key];
   if (view) { model.show({ name: view }, true); return true; }
@@ -48,12 +49,27 @@ function act(app: App, actions: KeyActions, event: KeyboardEvent): boolean {
   if (digit) { toggleMethod(app, Number(digit[1]) - 1, event.shiftKey); return true; }
   const simple: Record<string, () => void> = {
     f: () => model.show({ follow: !model.view.follow }), b: actions.toggleStrip, j: actions.togglePad, g: actions.startGoTo, l: actions.focusLayers,
-    k: () => togglePause(app), '?': () => showShortcuts(app), ',': () => stepPing(app, event.shiftKey ? -16 : -1), '.': () => stepPing(app, event.shiftKey ? 16 : 1),
+    p: () => actions.walk(event.shiftKey ? -1 : 1), k: () => togglePause(app), '?': () => showShortcuts(app), ',': () => stepPing(app, event.shiftKey ? -16 : -1), '.': () => stepPing(app, event.shiftKey ? 16 : 1),
     '<': () => stepPing(app, -16), '>': () => stepPing(app, 16),
   };
   const run = simple[key];
   run?.();
   return run !== undefined;
+}
+
+const onMap = (app: App, target: EventTarget | null): boolean => target === document.body || (target instanceof Node && app.mapHost.contains(target));
+const arrows: Record<string, readonly [number, number]> = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** Keys of the map while it, or nothing, has the focus. */
+function mapKey({ map }: App, actions: KeyActions, event: KeyboardEvent): boolean {
+  const arrow = arrows[event.key];
+  const far = event.shiftKey ? 256 : 64;
+  if (arrow) map.pan(arrow[0] * far, arrow[1] * far);
+  else if (event.key === '+' || event.key === '=') map.zoom(1.25);
+  else if (event.key === '-') map.zoom(0.8);
+  else if (event.key === '0') map.fit();
+  else return event.key === 'Enter' && actions.explainWalked();
+  return true;
 }
 
 function escape(app: App, actions: KeyActions): boolean {

@@ -2,29 +2,38 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /** Clicks on the map: explain, go to a point, and the long-press menu. */
-import type { MapPlace } from '../map/map_view.ts';
+import type { MapPlace, Pick } from '../map/map_view.ts';
 import { askForToken } from '../drive/rights.ts';
 import { words } from '../words.ts';
 import type { App } from './app.ts';
 import { h } from './dom.ts';
 import { fixed } from './format.ts';
+import { mountHoverTag } from './hover_tag.ts';
 import { menu } from './popover.ts';
 import { toast } from './toast.ts';
 
-export function mountMapClicks(app: App): { startGoTo(): boolean; cancel(): boolean } {
+export interface MapClicks { startGoTo(): boolean; cancel(): boolean; walk(direction: 1 | -1): void; explainWalked(): boolean }
+
+export function mountMapClicks(app: App): MapClicks {
   let picking = false;
+  let walked: Pick | null = null;
+  const tag = mountHoverTag(app);
   const goTo = (x: number, y: number): void => {
     picking = false;
     if (!app.model.welcome?.you.may_drive) { askForToken(app); return; }
     app.model.send({ type: 'mode', mode: 'goto', x, y });
   };
-  const explain = (place: MapPlace): void => {
-    const { pick } = place;
+  const explainPick = (pick: Pick | null): boolean => {
+    tag(null);
     if (pick?.kind === 'point') app.model.show({ name: 'explain', explain: { method: pick.method, slot: pick.slot, x: pick.x, y: pick.y } }, true);
     else if (pick?.kind === 'cell') app.model.show({ name: 'explain', explain: { method: pick.method, slot: null, x: pick.x, y: pick.y } }, true);
     else if (pick?.kind === 'arc') app.model.show({ name: 'step', ping: pick.ping.id, step: 1, cell: null }, true);
-    else toast(words.nothingNear);
+    return pick !== null;
   };
+  const explain = (place: MapPlace): void => {
+    if (!explainPick(place.pick)) toast(words.nothingNear);
+  };
+  app.map.onHover = (place) => { walked = null; tag(place?.touch ? null : place?.pick ?? null); };
   app.map.onClick = (place) => { if (picking) goTo(place.x, place.y); else explain(place); };
   app.map.onLongPress = (place) => {
     const anchor = h('span', { class: 'anchor', tabindex: -1 });
@@ -47,6 +56,8 @@ export function mountMapClicks(app: App): { startGoTo(): boolean; cancel(): bool
       toast('Click where the robot shall go. Esc cancels.');
       return true;
     },
+    walk: (direction) => { walked = app.map.stepPoint(direction); tag(walked); },
+    explainWalked: () => explainPick(walked),
     cancel: () => { const was = picking; picking = false; return was; },
   };
 }

@@ -15,8 +15,9 @@ const hintKey = 'echoarc.hint';
 
 export function mountModeChip(app: App, over: HTMLElement, startGoTo: () => void): void {
   const mode = h('span'), speed = h('small'), hand = h('button', { class: 'btn sm' }, words.handOver);
+  const driving = h('span', {}, words.youDrive);
   const chip: HTMLButtonElement = h('button', { class: 'chip', 'aria-haspopup': 'menu' }, [h('span', { class: 'rb' }), mode, speed, icon('chev')]);
-  const mine = h('div', { class: 'chip mine', hidden: true }, [h('span', { class: 'dot' }), words.youDrive, hand]);
+  const mine = h('div', { class: 'chip mine', hidden: true }, [h('span', { class: 'dot' }), driving, hand]);
   over.append(chip, mine);
   hand.addEventListener('click', () => handOverMenu(app, hand));
   chip.addEventListener('click', () => {
@@ -31,8 +32,13 @@ export function mountModeChip(app: App, over: HTMLElement, startGoTo: () => void
     if (!s) return;
     chip.hidden = app.driving.active;
     mine.hidden = !app.driving.active;
+    const log = app.model.welcome?.source.kind === 'log';
+    chip.disabled = log;
+    const isBlocked = s.limited_by === 'obstacle' && s.limit_m_s < 0.02 && s.free_ahead_m !== null;
+    say(driving, isBlocked ? words.obstacleAhead((s.free_ahead_m ?? 0) * 100) : words.youDrive);
     const driver = driverName(app);
-    say(mode, driver ? `${driver} drives` : s.reason === 'obstacle' && s.free_ahead_m !== null ? words.obstacle(s.free_ahead_m * 100) : modeNow(s.mode));
+    if (log) say(mode, s.playing ? words.playsLog : words.logPaused);
+    else say(mode, driver ? `${driver} drives` : s.reason === 'obstacle' && s.free_ahead_m !== null ? words.obstacle(s.free_ahead_m * 100) : modeNow(s.mode));
     say(speed, `${fixed(Math.abs(s.v), 2)} m/s`);
   });
 }
@@ -86,6 +92,21 @@ export function mountLost(app: App, over: HTMLElement): void {
   app.model.on('connection', update);
   app.model.on('state', update);
   setInterval(update, 500);
+}
+
+/** Why the map is empty: not connected yet, or nothing was heard yet. */
+export function mountNotice(app: App, over: HTMLElement): void {
+  const box = h('p', { class: 'notice', role: 'status', hidden: true });
+  over.append(box);
+  const begin = performance.now();
+  const update = (): void => {
+    const { connection, counters, welcome } = app.model;
+    const text = !welcome && connection.phase === 'connecting' ? (performance.now() - begin > 400 ? `${words.connecting} …` : '') : counters?.pings === 0 ? words.noPings : '';
+    box.hidden = text === '';
+    say(box, text);
+  };
+  for (const topic of ['connection', 'counters', 'welcome'] as const) app.model.on(topic, update);
+  setTimeout(update, 450);
 }
 
 /** Pings came, but no map: says where they went. */

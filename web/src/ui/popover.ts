@@ -36,7 +36,7 @@ export function popover(opener: HTMLElement, label: string, children: readonly C
 export function menu(opener: HTMLElement, label: string, items: readonly MenuItem[], role: 'menu' | 'listbox' = 'menu'): void {
   const itemRole = role === 'menu' ? 'menuitem' : 'option';
   const rows = items.map((item) => h('button', {
-    class: 'item', role: itemRole, disabled: item.disabled ?? false, 'aria-selected': role === 'listbox' ? String(item.current ?? false) : null,
+    class: `item${(item.note?.length ?? 0) > 12 ? ' two' : ''}`, role: itemRole, disabled: item.disabled ?? false, 'aria-selected': role === 'listbox' ? String(item.current ?? false) : null,
   }, [h('span', {}, item.label), item.note !== undefined && h('small', {}, item.note)], { click: () => { closePopover(); item.run(); } }));
   const box = popover(opener, label, rows, role);
   box?.addEventListener('keydown', (event) => {

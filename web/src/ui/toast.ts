@@ -15,11 +15,11 @@ export function hideToast(): void {
   clearTimeout(timer);
 }
 
-export function toast(text: string, actions: readonly ToastAction[] = [], isError = false): void {
+export function toast(text: string, actions: readonly ToastAction[] = [], isError = false, forMs = actions.length === 0 ? shownMs : 0): void {
   hideToast();
   const buttons = actions.map(({ label, primary, run }) =>
     h('button', { class: `btn sm${primary ? ' pri' : ''}` }, label, { click: () => { hideToast(); run(); } }));
   current = h('div', { class: 'toast', role: isError ? 'alert' : 'status' }, [h('span', {}, text), ...buttons]);
   document.getElementById('mapwrap')?.append(current);
-  if (actions.length === 0) timer = setTimeout(hideToast, shownMs);
+  if (forMs > 0) timer = setTimeout(hideToast, forMs);
 }

@@ -100,10 +100,13 @@ export function mountTopBar(app: App, host: HTMLElement): void {
   const showWelcome = (): void => {
     const from = model.welcome?.source;
     if (!from) return;
-    say(name, from.title);
+    const dropped = model.urlOthers.find(([key]) => key === 'src')?.[1] ?? '';
+    const title = from.kind === 'log' && dropped.startsWith('log:') ? dropped.slice(4) : from.title;
+    document.body.toggleAttribute('data-log', from.kind === 'log');
+    say(name, title);
     say(kind, from.kind === 'scene' ? 'simulated' : 'log');
-    source.setAttribute('aria-label', `Source: ${from.title}. Change`);
-    document.title = `echoarc · ${from.title}`;
+    source.setAttribute('aria-label', `Source: ${title}. Change`);
+    document.title = `echoarc · ${title}`;
     drive.hidden = !from.drivable;
   };
   const showConnection = (): void => {

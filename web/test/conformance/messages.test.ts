@@ -23,7 +23,8 @@ function faults(messages: readonly Message[]): string[] {
   return messages.flatMap((message) => {
     const check = serverTypes.get(message.type);
     if (!check) return [`unknown type '${message.type}'`];
-    return check(message) ? [] : [`${message.type}: ${ajv.errorsText(check.errors)}: ${JSON.stringify(message).slice(0, 300)}`];
+    const fits: unknown = check(message);
+    return fits === true ? [] : [`${message.type}: ${ajv.errorsText(check.errors)}: ${JSON.stringify(message).slice(0, 300)}`];
   });
 }
 

@@ -72,7 +72,7 @@ describe('table of supporting pings', () => {
     const rows = [support(7, { t: 0.1, note: 'cut 4.2° on the left' }), support(2, { t: 0.2, note: 'cut 1.0° on the right' })];
     const table = supportTable(rows);
     expect(table?.rows.map((r) => r.ping)).toEqual([2, 7]);
-    expect(table?.columns).toEqual(['ping', 'sensor', 'range', 'note']);
+    expect(table?.columns).toEqual(['ping', 'sensor', 'range', 'did']);
     expect(table?.title).toBe('2 pings cut its arc');
   });
 
@@ -110,6 +110,10 @@ describe('bars of a cell', () => {
   });
 
   test('counts are whole', () => expect(cellBars(history([1, 1], 'arcs')).map((b) => b.text)).toEqual(['+1', '+1']));
+  test('evidence for free empties', () => {
+    expect(cellBars(history([1, -1], 'evidence')).map((b) => b.isFuller)).toEqual([false, true]);
+    expect(cellBars(history([1, -1])).map((b) => b.isFuller)).toEqual([true, false]);
+  });
   test('no change, no bar', () => expect(cellBars(history([]))).toEqual([]));
   test('changes of nothing have no length', () => expect(cellBars(history([0]))[0]?.share).toBe(0));
 

@@ -68,14 +68,14 @@ describe('formula of a cell', () => {
 
   test('ends with its result', () => {
     const made = formulaLine(added, terms, { signed: true });
-    expect(made && plainText([...made.pieces, made.result])).toBe('after = 1.61 + ln 0.71 = +2.51');
+    expect(made && `${plainText(made.pieces)} = ${made.result.text}`).toBe('after = 1.61 + ln 0.71 = +2.51');
     expect(made?.spoken).toBe('Added to what the cell held: after equals 1.61 plus the natural logarithm of 0.71 equals 2.51');
     expect(formulaLine(added, terms)?.result.text).toBe('2.51');
   });
 
   test('does not say the result twice', () => {
     const made = formulaLine({ words: '', tree: ['eq', sym('p'), val('p')], result: 'p' }, terms);
-    expect(made && plainText([...made.pieces, made.result])).toBe('p = 0.71');
+    expect(made && `${plainText(made.pieces)} = ${made.result.text}`).toBe('p = 0.71');
   });
 
   test('applies only to cells that have its result', () => expect(formulaLine({ ...added, result: 'p_band' }, terms)).toBeNull());

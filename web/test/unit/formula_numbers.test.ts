@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 import { describe, expect, test } from 'vitest';
-import { constant, decimals, exactTime, length, plainNumber, quantity, signedDecimals } from '../../src/formula/numbers.ts';
+import { constant, decimals, direction, exactTime, length, plainNumber, quantity, signedDecimals } from '../../src/formula/numbers.ts';
 
 describe('numbers', () => {
   test.each([
@@ -43,5 +43,7 @@ describe('numbers', () => {
     expect(exactTime(86.52)).toBe('1:26.52');
     expect(exactTime(59.999)).toBe('1:00.00');
     expect(exactTime(-1)).toBe('0:00.00');
+    expect(direction(4.49182)).toBe('−102.6°');
+    expect(direction(-0.1)).toBe('−5.7°');
   });
 });

@@ -31,6 +31,7 @@ describe('lines of the five steps', () => {
     const s = stepped({ used: false, reason: 'cross-talk', ping: { ...stepped().ping, outcome: 'rejected', reason: 'cross-talk' } });
     expect(lastPart(s)).toBe(1);
     expect(partLines(s).map((l) => l.value)).toEqual(['rejected', 'not used', 'not used', 'not used', 'not used']);
+    expect(partLines({ ...s, arc: null })[2]?.title).toBe('The arc');
     expect(nextPart(s, 1)).toBeNull();
   });
 
@@ -46,11 +47,11 @@ describe('lines of the five steps', () => {
     expect(title('crossed')).toBe('The arcs it crosses');
     expect(title('cut', 'removed')).toBe('The arcs it cuts');
     expect(title('crossed', 'cut')).toBe('The arcs it crosses and cuts');
-    expect(title()).toBe('The arcs it meets');
+    expect(title()).toBe('What it adds to the map');
   });
 
   test('the next step is named', () => {
-    expect([1, 2, 3, 4, 5].map((part) => nextPart(stepped(), part))).toEqual(['where the sensor was', 'the arc', 'the cells it changes', 'the map after it', null]);
+    expect([1, 2, 3, 4, 5].map((part) => nextPart(stepped(), part))).toEqual(['the sensor', 'the arc', 'the cells', 'the map after it', null]);
   });
 });
 
@@ -58,15 +59,21 @@ describe('cells', () => {
   const { cells } = stepped();
 
   test('the one that grows most is looked at first', () => {
-    expect(firstCell(cells)).toBe(cells[0]);
-    expect(firstCell(cells.slice(1))).toBe(cells[1]);
-    expect(firstCell([])).toBeNull();
+    expect(firstCell(cells, 'log-odds')).toBe(cells[0]);
+    expect(firstCell(cells.slice(1), 'log-odds')).toBe(cells[1]);
+    expect(firstCell([], 'log-odds')).toBeNull();
   });
 
   test('the one asked for, if it changed', () => {
-    expect(chosenCell(cells, { i: 1, j: 2 })).toBe(cells[2]);
-    expect(chosenCell(cells, { i: 9, j: 9 })).toBe(cells[0]);
-    expect(chosenCell(cells, null)).toBe(cells[0]);
+    expect(chosenCell(cells, { i: 1, j: 2 }, 'log-odds')).toBe(cells[2]);
+    expect(chosenCell(cells, { i: 9, j: 9 }, 'log-odds')).toBe(cells[0]);
+    expect(chosenCell(cells, null, 'log-odds')).toBe(cells[0]);
+  });
+
+  test('evidence counts for free space: more of it is emptier', () => {
+    expect(firstCell(cells, 'evidence')).toBe(cells[1]);
+    expect(partLines(stepped({ unit: 'evidence' }))[3]?.line).toBe('2 cells get fuller, 1 cell gets emptier');
+    expect(beforeAfter(8.1, 8.2, 'evidence')).toEqual({ before: '8.10 before, ', after: '8.20 evidence for free' });
   });
 
   test('one after the other in rows, and around', () => {
