@@ -23,6 +23,7 @@ from served import Served
 from viewer import Viewer
 
 STOP_M_S2 = 1.5
+CONTROL_STEP_S = 0.01
 HALL = """name = "hall"
 robot = "hc-sr04-row"
 
@@ -86,17 +87,18 @@ def judge(records):
     """(from last command to braking, from braking to standing, speed at the last command), s and m/s."""
     last = max(record["t"] for record in records if record["type"] == "command" and record["mode"] == "drive")
     poses = [record for record in records if record["type"] == "truth"]
-    speeds = [(b["t"], math.hypot(b["x"] - a["x"], b["y"] - a["y"]) / (b["t"] - a["t"])) for a, b in zip(poses, poses[1:])
-              if b["t"] > a["t"]]
-    steady = max((v for t, v in speeds if last - 0.3 <= t <= last + 0.2), default=0.0)
+    intervals = [(a["t"], b["t"], math.hypot(b["x"] - a["x"], b["y"] - a["y"]) / (b["t"] - a["t"]))
+                 for a, b in zip(poses, poses[1:]) if b["t"] > a["t"]]
+    steady = max((v for _, end, v in intervals if last - 0.3 <= end <= last + 0.2), default=0.0)
     begin = standing = math.inf
-    for t, v in speeds:
-        if t > last and v < steady - 0.01:
-            begin = t
+    for start, end, v in intervals:
+        if end > last and v < steady - 0.005:
+            # A mean speed over d that is lower by dv: braking at a began x before its end, dv = a x^2 / (2 d).
+            begin = end - min(end - start, math.sqrt(2 * (end - start) * (steady - v) / STOP_M_S2))
             break
-    for t, v in speeds:
-        if t >= begin and v < 1e-4:
-            standing = t
+    for start, _, v in intervals:
+        if start >= begin and v < 1e-4:
+            standing = start
             break
     return begin - last, standing - begin, steady
 
@@ -139,9 +141,9 @@ def main():
 
 
 def in_time(result, pose_interval_s=0.05):
-    """Braking within 0.6 s, standing within v/a after that; both seen at the ends of intervals between poses."""
+    """Braking within 0.6 s, standing within v/a after that, which is seen a control step and a pose later."""
     _, begin, standing, speed = result
-    return begin <= 0.6 and standing <= speed / STOP_M_S2 + pose_interval_s and speed > 0.05
+    return begin <= 0.6 and standing <= speed / STOP_M_S2 + pose_interval_s + CONTROL_STEP_S and speed > 0.05
 
 
 if __name__ == "__main__":

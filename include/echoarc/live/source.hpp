@@ -24,8 +24,8 @@ struct SourceDescription {
   std::string frame = "odom";
   double temperature_k = 293.0;
   RobotDescription robot;
-  std::vector<NoEchoDecision> no_echo;  ///< one per sensor, from a whole log; empty: by the robot's description
-  std::vector<Polyline> walls;          ///< true surfaces that stand still, world; empty: unknown
+  std::vector<NoEchoDecision> no_echo;      ///< one per sensor, from a whole log; empty: by the robot's description
+  std::vector<Polyline> walls;              ///< true surfaces that stand still, world; empty: unknown
   std::shared_ptr<const sim::World> world;  ///< of a simulation, to tell which of them can be seen; null: unknown
   bool has_truth = false;
   std::vector<Vec2> tour;  ///< stations of the scripted drive, the start first; empty: none

@@ -9,7 +9,7 @@ import { wireCrosshair } from './crosshair.ts';
 import { layerRows } from './live_panel.ts';
 import { markOf } from './method_rows.ts';
 import { refill } from './refill.ts';
-import { scoreSection } from './score_chart.ts';
+import { chartLabel, scoreSection } from './score_chart.ts';
 
 /** Chosen for Compare, or the first four that run. */
 export function compared(app: App): string[] {
@@ -23,7 +23,7 @@ function table(app: App, methods: readonly string[]): HTMLElement {
   const body = methods.map((method) => {
     const s = app.model.scores?.methods.find((m) => m.method === method);
     const found = s?.found ?? null;
-    return h('tr', { class: method === app.model.view.shown[0] ? 'own' : '' }, [h('td', {}, [h('span', { class: 'named' }, [markOf(app, method), app.shortOf(method)])]),
+    return h('tr', { class: method === app.model.view.shown[0] ? 'own' : '' }, [h('td', { title: app.titleOf(method) }, [h('span', { class: 'named' }, [markOf(app, method), chartLabel(app.shortOf(method))])]),
       h('td', {}, centimetres(s?.mae_m ?? null)), h('td', {}, centimetres(s?.p95_m ?? null, 0)), h('td', {}, found === null ? dash : `${fixed(found * 100, 0)}%`)]);
   });
   return h('table', { class: 'cmp' }, [h('thead', {}, [h('tr', {}, head)]), h('tbody', {}, body)]);

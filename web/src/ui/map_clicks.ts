@@ -10,7 +10,7 @@ import { h } from './dom.ts';
 import { fixed } from './format.ts';
 import { mountHoverTag } from './hover_tag.ts';
 import { menu } from './popover.ts';
-import { toast } from './toast.ts';
+import { hideToast, toast } from './toast.ts';
 
 export interface MapClicks { startGoTo(): boolean; cancel(): boolean; walk(direction: 1 | -1): void; explainWalked(): boolean }
 
@@ -19,6 +19,7 @@ export function mountMapClicks(app: App): MapClicks {
   let walked: Pick | null = null;
   const tag = mountHoverTag(app);
   const goTo = (x: number, y: number): void => {
+    if (picking) hideToast();
     picking = false;
     if (!app.model.welcome?.you.may_drive) { askForToken(app); return; }
     app.model.send({ type: 'mode', mode: 'goto', x, y });
