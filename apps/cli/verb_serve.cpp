@@ -145,7 +145,7 @@ Result<server::RoomSetup> open_builtin_scene(const server::MappingChoice& mappin
                  "choose one of the list"};
   Result<io::SceneFile> file = io::read_scene(*text, name);
   if (!file) return file.error();
-  server::SceneRoom room{.name = room_name, .scene = std::move(file->scene), .scene_name = name};
+  const server::SceneRoom room{.name = room_name, .scene = std::move(file->scene), .scene_name = name};
   return server::make_scene_room(room, mapping, executor());
 }
 

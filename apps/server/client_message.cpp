@@ -105,7 +105,7 @@ nlohmann::json parse_object(std::string_view text) {
     if ((event == Event::object_start || event == Event::array_start) && depth >= max_depth) too_deep = true;
     return !too_deep;
   };
-  nlohmann::json object = nlohmann::json::parse(text, watch, false);
+  const nlohmann::json object = nlohmann::json::parse(text, watch, false);
   return !too_deep && object.is_object() ? object : nlohmann::json();
 }
 

@@ -52,7 +52,7 @@ constexpr std::uintmax_t max_download_bytes = std::uintmax_t{512} << 20U;
 Result<std::string> read_parts(const std::vector<std::string>& parts) {
   std::ostringstream all;
   for (const std::string& part : parts) {
-    std::ifstream file(part, std::ios::binary);
+    const std::ifstream file(part, std::ios::binary);
     if (!file) return Error{ErrorCode::unreadable, "the log cannot be read", "", "look into the session's folder"};
     all << file.rdbuf();
     if (static_cast<std::uintmax_t>(all.tellp()) > max_download_bytes)

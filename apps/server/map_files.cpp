@@ -19,7 +19,7 @@ Result<std::string> map_file(const MapExport& map, const std::string& method, st
   if (const Result<void> written = io::write_method_output(folder.path() / method, map, picture); !written)
     return written.error();
   const std::string name = kind == "csv" ? "points.csv" : "map." + std::string(kind);
-  std::ifstream file(folder.path() / method / name, std::ios::binary);
+  const std::ifstream file(folder.path() / method / name, std::ios::binary);
   if (!file) return Error{ErrorCode::not_found, "the map is empty", "", "wait for the first echoes"};
   std::ostringstream bytes;
   bytes << file.rdbuf();

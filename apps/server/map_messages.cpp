@@ -182,16 +182,16 @@ std::string scores_message(const live::Scores& scores) {
 std::string counters_message(const live::Mapper& mapper, const live::SourceDescription& /*source*/,
                              const std::string& log) {
   const SensingReport& report = mapper.report();
-  Json json{{"type", "counters"},
-            {"pings", report.pings},
-            {"echoes", report.echoes},
-            {"no_echoes", report.no_echoes},
-            {"too_close", report.too_close},
-            {"waiting", report.waiting},
-            {"rejected", counts_of(report.rejected_pings)},
-            {"rejected_odometry", counts_of(report.rejected_odometry)},
-            {"sensors", sensors_of(mapper)},
-            {"log", Json::parse(log)}};
+  const Json json{{"type", "counters"},
+                  {"pings", report.pings},
+                  {"echoes", report.echoes},
+                  {"no_echoes", report.no_echoes},
+                  {"too_close", report.too_close},
+                  {"waiting", report.waiting},
+                  {"rejected", counts_of(report.rejected_pings)},
+                  {"rejected_odometry", counts_of(report.rejected_odometry)},
+                  {"sensors", sensors_of(mapper)},
+                  {"log", Json::parse(log)}};
   std::string text = text_of(json);
   text.pop_back();
   return text + R"(,"dropped":)";

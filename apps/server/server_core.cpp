@@ -50,7 +50,7 @@ std::shared_ptr<Room> ServerCore::add_room(RoomSetup setup) {
              Room::open(std::move(setup), [this](std::function<void()> job) { boost::asio::post(io, std::move(job)); });
 }
 
-void ServerCore::open(std::function<Result<RoomSetup>(const std::string& room)> make, Opened opened) {
+void ServerCore::open(std::function<Result<RoomSetup>(const std::string& room)> make, const Opened& opened) {
   if (rooms_.size() + rooms_opening_ >= max_rooms)
     return opened(Error{ErrorCode::too_large, fmt::format("{} sources are open already", rooms_.size()), "",
                         "close the pages of one; it is given up a minute later"});
@@ -70,12 +70,12 @@ void ServerCore::open(std::function<Result<RoomSetup>(const std::string& room)> 
   opened(Error{ErrorCode::too_large, "too many sources are being opened", "", "try again in a moment"});
 }
 
-void ServerCore::open_scene(const std::string& scene, Opened opened) {
-  open([this, scene](const std::string& room) { return openers.scene(scene, room); }, std::move(opened));
+void ServerCore::open_scene(const std::string& scene, const Opened& opened) {
+  open([this, scene](const std::string& room) { return openers.scene(scene, room); }, opened);
 }
 
-void ServerCore::open_log(std::string log, Opened opened) {
-  open([this, log = std::move(log)](const std::string& room) { return openers.log(log, room); }, std::move(opened));
+void ServerCore::open_log(std::string log, const Opened& opened) {
+  open([this, log = std::move(log)](const std::string& room) { return openers.log(log, room); }, opened);
 }
 
 std::shared_ptr<int> ServerCore::admit_download() {

@@ -49,8 +49,8 @@ class ServerCore {
   std::shared_ptr<Room> add_room(RoomSetup setup);
   /// The name of the new room, or why there is none. Worlds and logs are read on a thread of their own.
   using Opened = std::function<void(Result<std::string>)>;
-  void open_scene(const std::string& scene, Opened opened);
-  void open_log(std::string log, Opened opened);
+  void open_scene(const std::string& scene, const Opened& opened);
+  void open_log(std::string log, const Opened& opened);
   /// Held by an answer that costs memory or time while it is made and sent; null when too many are.
   [[nodiscard]] std::shared_ptr<int> admit_download();
   void close_empty_rooms(double now_s);
@@ -69,7 +69,7 @@ class ServerCore {
 
  private:
   void give_back(const std::string& address);
-  void open(std::function<Result<RoomSetup>(const std::string& room)> make, Opened opened);
+  void open(std::function<Result<RoomSetup>(const std::string& room)> make, const Opened& opened);
 
   std::map<std::string, std::shared_ptr<Room>, std::less<>> rooms_;
   std::map<std::string, double> empty_since_s_;

@@ -27,7 +27,7 @@ class RingPlaces {
       const JudgedPing& ping = evidence.readings[k];
       const bool arc = is_used(evidence, ping) && echo_range_m(ping.reading.outcome);
       const SensorId ring = compared.scope == ComparedArcs::Scope::per_sensor ? ping.reading.rx : 0;
-      before_.push_back({ring, counts_[ring]});
+      before_.emplace_back(ring, counts_[ring]);
       if (arc) ++counts_[ring];
       if (compared.scope == ComparedArcs::Scope::per_sensor) at_.push_back(counts_);
     }

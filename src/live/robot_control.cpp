@@ -61,8 +61,11 @@ void RobotControl::brake(Reason reason) {
 }
 
 void RobotControl::drive(const sim::RobotVelocity& wanted, double host_s) {
+  const sim::RobotVelocity finite{finite_or_zero(wanted.forward_m_s), radians(finite_or_zero(wanted.turn_per_s.rad()))};
+  // Letting go of the stick is no wish to drive on: who stopped the robot stays in force.
+  if (state_.mode != Mode::drive && state_.reason == Reason::stopped && finite == sim::RobotVelocity{}) return;
   if (state_.mode != Mode::drive) start(Mode::drive);
-  wanted_ = {finite_or_zero(wanted.forward_m_s), radians(finite_or_zero(wanted.turn_per_s.rad()))};
+  wanted_ = finite;
   driven_s_ = host_s;
 }
 

@@ -78,6 +78,18 @@ TEST(Drive, HostileCommandsAreCutAndWhatIsNoNumberIsZero) {
   EXPECT_EQ(command_of(infinite, -infinite), sim::RobotVelocity{});
 }
 
+TEST(Stop, StaysInForceWhenTheStickIsLetGo) {
+  const Puppet robot;
+  RobotControl control({}, 0.2, {});
+  control.drive({0.3, Angle{}}, 0.0);
+  control.stop();
+  control.drive({}, 0.1);
+  EXPECT_EQ(control.state().reason, Reason::stopped);
+  EXPECT_EQ(control.update(robot, LocalMap(), 0.1).wanted, sim::RobotVelocity{});
+  control.drive({0.1, Angle{}}, 0.2);  // a wish to go is one
+  EXPECT_EQ(control.update(robot, LocalMap(), 0.2).wanted.forward_m_s, 0.1);
+}
+
 TEST(DeadMan, BrakesWithinHalfASecondOfTheLastCommand) {
   constexpr double step_s = 0.02;
   for (std::uint64_t trial = 1; trial <= 200; ++trial) {

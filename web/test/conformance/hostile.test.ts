@@ -66,7 +66,7 @@ test('what is no message is refused, or ends its own connection alone', async ()
 test('a frame beyond the limit closes the connection', async () => {
   const pause = await longestPause(bystander, async () => {
     const client = await Client.open(served);
-    client.say(JSON.stringify({ type: 'subscribe', methods: ['x'.repeat(5_000_000)] }));
+    client.say(JSON.stringify({ type: 'subscribe', methods: ['x'.repeat(100_000)] }));
     expect(await client.closed()).toBe(1009);
   });
   expect(pause).toBeLessThan(pauseLimitMs);
