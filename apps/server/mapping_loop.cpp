@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t crowd = 20'000;          // records
 constexpr std::size_t slice_readings = 1'000;  // of a recomputation, between records
-constexpr double publish_interval_s = 0.05;
+constexpr double publish_interval_s = 0.035;
 constexpr double map_interval_s = 0.1;
 constexpr double looking_share = 0.2;  // of the time, at the most
 constexpr double path_step_m = 0.02;

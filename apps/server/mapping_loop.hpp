@@ -46,7 +46,7 @@ struct Publication {
 };
 using SharedPublication = std::shared_ptr<const Publication>;
 
-/// Maps records on a thread of its own and publishes what changed: pings twenty times a second, maps ten times or less
+/// Maps records on a thread of its own and publishes what changed: pings thirty times a second, maps ten times or less
 /// often, so that looking at them costs no more than a fifth of the time.
 class MappingLoop {
  public:

@@ -137,6 +137,7 @@ void ViewerSession::offer() {
   if (closing_) return;
   if (!out_.empty()) {
     ++dropped;
+    due_ = true;
     constexpr double limit_s = std::chrono::duration<double>(slow_viewer_timeout).count();
     if (host::wall_time_s() - writing_since_s_ < limit_s) return;
     ++core_.refused.slow_viewers;
@@ -168,6 +169,8 @@ void ViewerSession::send(std::vector<SharedFrame> frames) {
 
 void ViewerSession::write_next() {
   writing_ = !out_.empty();
+  // What came while it was busy is not left until something else comes.
+  if (!writing_ && std::exchange(due_, false) && joined_ && !closing_) return send(room_->take(*this));
   if (!writing_) return;
   const SharedFrame frame = out_.front();
   socket_.binary(frame->binary);

@@ -60,6 +60,7 @@ class ViewerSession final : public Viewer, public std::enable_shared_from_this<V
   std::deque<SharedFrame> out_;
   double writing_since_s_ = 0.0;
   bool writing_ = false;
+  bool due_ = false;  // something new came while it was busy
   bool joined_ = false;
   bool closing_ = false;
   RateLimit rate_{messages_per_s, message_burst};
