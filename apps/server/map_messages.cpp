@@ -179,8 +179,7 @@ std::string scores_message(const live::Scores& scores) {
       {{"type", "scores"}, {"t", scores.time_s}, {"reason", scores.reason}, {"methods", std::move(methods)}});
 }
 
-std::string counters_message(const live::Mapper& mapper, const live::SourceDescription& /*source*/,
-                             const std::string& log) {
+std::string counters_message(const live::Mapper& mapper, const std::string& log) {
   const SensingReport& report = mapper.report();
   const Json json{{"type", "counters"},
                   {"pings", report.pings},

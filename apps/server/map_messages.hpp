@@ -18,8 +18,7 @@ namespace echoarc::server {
 [[nodiscard]] std::string recompute_message(const live::RunningMethod& method);
 [[nodiscard]] std::string scores_message(const live::Scores& scores);
 /// `counters` without its end: `"dropped":` is last, the viewer's number and "}" follow. `log`: its field as JSON.
-[[nodiscard]] std::string counters_message(const live::Mapper& mapper, const live::SourceDescription& source,
-                                           const std::string& log);
+[[nodiscard]] std::string counters_message(const live::Mapper& mapper, const std::string& log);
 /// The bins from the first that differs.
 [[nodiscard]] std::string timeline_message(std::span<const live::TimelineBin> before,
                                            std::span<const live::TimelineBin> now);

@@ -26,11 +26,8 @@ SharedFrame text_frame(std::string text) {
 
 }  // namespace
 
-MappingLoop::MappingLoop(live::Mapper mapper, live::ScoreKeeper scores, const live::SourceDescription& source,
-                         Host host)
-    : host_(std::move(host)), source_(source), mapper_(std::move(mapper)), scores_(std::move(scores)), thread_([this] {
-        work();
-      }) {}
+MappingLoop::MappingLoop(live::Mapper mapper, live::ScoreKeeper scores, Host host)
+    : host_(std::move(host)), mapper_(std::move(mapper)), scores_(std::move(scores)), thread_([this] { work(); }) {}
 
 MappingLoop::~MappingLoop() {
   {
@@ -176,7 +173,7 @@ void MappingLoop::tell_each_second(Publication& publication, double now_s) {
     next_second_s_ = now_s + 1.0;
     ++second_;
     scores_message_ = text_frame(scores_message(scores_.update(mapper_)));
-    counters_ = counters_message(mapper_, source_, host_.log_status());
+    counters_ = counters_message(mapper_, host_.log_status());
     timeline_ = text_frame(timeline_message(told_bins_, mapper_.timeline()));
     told_bins_.assign(mapper_.timeline().begin(), mapper_.timeline().end());
   }

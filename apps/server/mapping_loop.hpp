@@ -55,7 +55,7 @@ class MappingLoop {
     std::function<std::string()> log_status;           ///< JSON object: the `log` of `counters`
   };
 
-  MappingLoop(live::Mapper mapper, live::ScoreKeeper scores, const live::SourceDescription& source, Host host);
+  MappingLoop(live::Mapper mapper, live::ScoreKeeper scores, Host host);
   MappingLoop(const MappingLoop&) = delete;
   MappingLoop& operator=(const MappingLoop&) = delete;
   ~MappingLoop();
@@ -98,7 +98,6 @@ class MappingLoop {
   void note_methods();
 
   Host host_;
-  live::SourceDescription source_;
   std::mutex mutex_;
   std::condition_variable wake_;
   Inbox inbox_;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/bundle.hpp"
@@ -95,8 +96,15 @@ class Room : public std::enable_shared_from_this<Room> {
   void refuse(Viewer& viewer, std::optional<MessageId> id, const Error& error);
   [[nodiscard]] bool may(Viewer& viewer, std::optional<MessageId> id = std::nullopt);
   void change_map(Viewer& viewer, std::function<Result<void>(live::Mapper&)> change, std::string setup);
+  /// Runs `work(room, viewer)` on the thread of input and output, if both are still there then.
   template <class Work>
-  void later(ViewerId id, Work work);
+  void later(ViewerId id, Work work) {
+    post_([self = weak_from_this(), id, work = std::move(work)]() mutable {
+      const std::shared_ptr<Room> room = self.lock();
+      Viewer* viewer = room ? room->find(id) : nullptr;
+      if (viewer != nullptr) work(*room, *viewer);
+    });
+  }
   /// `prepare(mapper)` gives what is asked about the evidence. Jobs on the other threads may use `this`: they end
   /// before it does.
   template <class Prepare>

@@ -22,7 +22,7 @@ class Mapping : public testing::Test {
   Mapping()
       : played(live::test::play(short_drive())),
         loop(live::Mapper::make(played.description, {}, choices, executor).value(),
-             live::ScoreKeeper(played.description), played.description,
+             live::ScoreKeeper(played.description),
              {[this](SharedPublication publication) {
                 {
                   const std::lock_guard lock(mutex);

@@ -99,8 +99,7 @@ TEST(MessageSchema, MapsOfEveryMethod) {
   for (const live::RunningMethod& method : mapped.mapper.methods()) (void)good(recompute_message(method));
   const Value scores = good(scores_message(mapped.scores.update(mapped.mapper)));
   EXPECT_EQ(scores["methods"].size(), catalog().size());
-  const std::string open =
-      counters_message(mapped.mapper, mapped.played.description, R"({"state":"full","bytes":12,"message":"no space"})");
+  const std::string open = counters_message(mapped.mapper, R"({"state":"full","bytes":12,"message":"no space"})");
   const Value counters = good(open + "0}");
   EXPECT_EQ(counters["pings"], short_drive().pings.size());
   EXPECT_EQ(counters["log"]["state"], "full");
