@@ -60,6 +60,8 @@ class DocumentTest(CommandTest):
                         output = self.dir / arguments[arguments.index("-o") + 1]
                         for file in (output, output.with_suffix(".png")):
                             file.unlink(missing_ok=True)
+                    if arguments[0] in ("serve", "demo"):  # would go on until Ctrl-C
+                        arguments += ["--duration", "2"]
                     self.succeed(*arguments)
                     count += 1
         self.assertGreaterEqual(count, 8, "the pages hardly show a command; is the search broken?")
