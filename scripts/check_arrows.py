@@ -21,10 +21,11 @@ ALLOWED: dict[str, set[str]] = {
     "mapping": {"core", "maps"},
     "features": {"core", "maps"},
     "eval": {"core", "maps"},
+    "nav": {"core", "maps"},
     "pipeline": {"core", "sensing", "maps", "mapping"},
-    "io": {"core", "sensing", "maps", "sim", "mapping", "features", "eval"},
-    "live": {"core", "sensing", "maps", "sim", "mapping", "eval", "pipeline"},
-    "studies": {"core", "sensing", "maps", "sim", "mapping", "features", "eval", "pipeline", "live"},
+    "io": {"core", "sensing", "maps", "sim", "mapping", "features", "eval", "nav"},
+    "live": {"core", "sensing", "maps", "sim", "mapping", "eval", "nav", "pipeline"},
+    "studies": {"core", "sensing", "maps", "sim", "mapping", "features", "eval", "nav", "pipeline", "live"},
 }
 LIBRARY_PARTS = set(ALLOWED)
 OUTER_FOLDERS = {"apps", "bench", "tests", "examples", "fuzz"}  # these may include every part, `io` among them

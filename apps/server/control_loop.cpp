@@ -43,7 +43,7 @@ void ControlLoop::post(std::function<void()> action) {
   wake_.notify_one();
 }
 
-void ControlLoop::drive(const sim::RobotVelocity& wanted, std::optional<std::uint32_t> seq) {
+void ControlLoop::drive(const RobotVelocity& wanted, std::optional<std::uint32_t> seq) {
   post([this, wanted, seq] {
     live::RobotControl* control = robot_.control();
     if (control == nullptr) return;

@@ -24,7 +24,7 @@ struct RobotStatus {
   std::int64_t mono_us = 0;
   std::optional<Pose2> T_world_robot;
   std::optional<Pose2> T_world_true;
-  sim::RobotVelocity velocity;
+  RobotVelocity velocity;
   live::ControlState control;  ///< as it was made, for what cannot be driven
   bool playing = true;
   double speed = 1.0;
@@ -55,7 +55,7 @@ class ControlLoop {
   ControlLoop& operator=(const ControlLoop&) = delete;
   ~ControlLoop();
 
-  void drive(const sim::RobotVelocity& wanted, std::optional<std::uint32_t> seq);
+  void drive(const RobotVelocity& wanted, std::optional<std::uint32_t> seq);
   /// Whatever else is done with the control; nothing for a source that cannot be driven.
   void control(std::function<void(live::RobotControl&)> action);
   void play(bool playing);

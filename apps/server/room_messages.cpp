@@ -65,7 +65,7 @@ std::string welcome_message(const ServerFacts& facts, const Room& room, const Vi
   for (const RejectionInfo& reason : rejections())
     reasons.push_back({{"name", reason.name}, {"explanation", reason.explanation}, {"remedy", reason.remedy}});
   const live::ControlOptions control;
-  const sim::RobotLimits limits;
+  const RobotLimits limits;
   return text_of({{"type", "welcome"},
                   {"protocol", 1},
                   {"version", facts.version},

@@ -60,7 +60,7 @@ void LiveRobot::heed(const Record& record) {
   T_world_robot_ = odometry->T_world_robot;
 }
 
-sim::RobotVelocity LiveRobot::velocity() const {
+RobotVelocity LiveRobot::velocity() const {
   const Drivable* robot = source_->drivable();
   return robot != nullptr ? robot->velocity() : measured_;
 }

@@ -169,7 +169,7 @@ void LocalMap::forget(double time_s) {
   });
 }
 
-std::optional<double> LocalMap::free_along(const Pose2& T_world_base, const sim::RobotVelocity& velocity,
+std::optional<double> LocalMap::free_along(const Pose2& T_world_base, const RobotVelocity& velocity,
                                            double hull_radius_m, int least_hits) const {
   constexpr double straight_m = 1e4;
   if (velocity.forward_m_s == 0.0 || !std::isfinite(velocity.forward_m_s)) return {};

@@ -60,10 +60,10 @@ void RobotControl::brake(Reason reason) {
   hard_ = true;
 }
 
-void RobotControl::drive(const sim::RobotVelocity& wanted, double host_s) {
-  const sim::RobotVelocity finite{finite_or_zero(wanted.forward_m_s), radians(finite_or_zero(wanted.turn_per_s.rad()))};
+void RobotControl::drive(const RobotVelocity& wanted, double host_s) {
+  const RobotVelocity finite{finite_or_zero(wanted.forward_m_s), radians(finite_or_zero(wanted.turn_per_s.rad()))};
   // Letting go of the stick is no wish to drive on: who stopped the robot stays in force.
-  if (state_.mode != Mode::drive && state_.reason == Reason::stopped && finite == sim::RobotVelocity{}) return;
+  if (state_.mode != Mode::drive && state_.reason == Reason::stopped && finite == RobotVelocity{}) return;
   if (state_.mode != Mode::drive) start(Mode::drive);
   wanted_ = finite;
   driven_s_ = host_s;
@@ -101,7 +101,7 @@ MotorCommand RobotControl::update(const Drivable& robot, const LocalMap& obstacl
   const bool alive = driven_s_ && host_s - *driven_s_ < options_.dead_man_s;
   if (state_.mode == Mode::drive && !alive) brake(Reason::dead_man);
   watch_blockade(host_s);
-  const sim::RobotVelocity wanted = steer(robot, host_s);
+  const RobotVelocity wanted = steer(robot, host_s);
   return limited(wanted, robot, obstacles);
 }
 
@@ -124,7 +124,7 @@ void RobotControl::watch_blockade(double host_s) {
 }
 
 /// What the mode wants, whatever stands in the way.
-sim::RobotVelocity RobotControl::steer(const Drivable& robot, double host_s) {
+RobotVelocity RobotControl::steer(const Drivable& robot, double host_s) {
   if (state_.mode == Mode::drive) return wanted_;
   if (state_.mode == Mode::stand) return {};
   if (backing_until_s_ && host_s < *backing_until_s_) return {-creep_m_s, Angle{}};
@@ -146,7 +146,7 @@ sim::RobotVelocity RobotControl::steer(const Drivable& robot, double host_s) {
 }
 
 RobotControl::Cap RobotControl::cap_along(const Drivable& robot, const LocalMap& obstacles,
-                                          const sim::RobotVelocity& velocity) const {
+                                          const RobotVelocity& velocity) const {
   const Pose2 T_world_base = robot.T_world_base();
   const double most_m_s = robot.limits().speed_m_s;
   const double clearance_m = options_.clearance_m;
@@ -166,16 +166,16 @@ RobotControl::Cap RobotControl::cap_along(const Drivable& robot, const LocalMap&
 }
 
 /// The command that obeys the motors' limits and the cap, of the arc that is wanted and of the one the robot is on.
-MotorCommand RobotControl::limited(const sim::RobotVelocity& wanted, const Drivable& robot, const LocalMap& obstacles) {
-  const sim::RobotLimits limits = robot.limits();
-  const sim::RobotVelocity now = robot.velocity();
+MotorCommand RobotControl::limited(const RobotVelocity& wanted, const Drivable& robot, const LocalMap& obstacles) {
+  const RobotLimits limits = robot.limits();
+  const RobotVelocity now = robot.velocity();
   MotorCommand command;
   command.wanted.forward_m_s = std::clamp(wanted.forward_m_s, -limits.speed_m_s, limits.speed_m_s);
   command.wanted.turn_per_s = std::clamp(wanted.turn_per_s, -limits.turn_rate_per_s, limits.turn_rate_per_s);
   const double asked_m_s = std::abs(command.wanted.forward_m_s);
 
   // Who stands is told what is ahead.
-  Cap cap = cap_along(robot, obstacles, asked_m_s > 0.0 ? command.wanted : sim::RobotVelocity{1.0, Angle{}});
+  Cap cap = cap_along(robot, obstacles, asked_m_s > 0.0 ? command.wanted : RobotVelocity{1.0, Angle{}});
   state_.free_ahead_m = cap.free_m;
   bool too_fast = false;
   if (now.forward_m_s != 0.0) {

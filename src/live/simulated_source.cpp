@@ -65,11 +65,11 @@ Record record_of(sim::SteppedRecord&& said) {
 
 }  // namespace
 
-SimulatedSource::SimulatedSource(sim::SteppedSimulation simulation, const sim::RobotLimits& limits)
+SimulatedSource::SimulatedSource(sim::SteppedSimulation simulation, const RobotLimits& limits)
     : simulation_(std::move(simulation)), limits_(limits), description_(describe(simulation_)) {}
 
 Result<std::unique_ptr<SimulatedSource>> SimulatedSource::make(sim::Scene scene, std::uint64_t seed,
-                                                               const sim::RobotLimits& limits,
+                                                               const RobotLimits& limits,
                                                                const std::optional<Continuation>& continued) {
   const std::vector<Vec2> tour = stations(scene.drive);
   if (continued) {

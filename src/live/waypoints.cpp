@@ -55,8 +55,8 @@ bool Homing::arrived(const Pose2& T_world_base, Vec2 goal) const {
   return norm(goal - T_world_base.position) < arrived_m;
 }
 
-sim::RobotVelocity Homing::steer(const Pose2& T_world_base, Vec2 goal, double cruise_m_s, double deceleration_m_s2,
-                                 const sim::RobotLimits& limits) {
+RobotVelocity Homing::steer(const Pose2& T_world_base, Vec2 goal, double cruise_m_s, double deceleration_m_s2,
+                            const RobotLimits& limits) {
   constexpr double aimed_rad = 0.03;
   constexpr double astray_rad = 0.35;
   constexpr double gain_per_s = 1.5;

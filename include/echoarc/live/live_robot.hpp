@@ -29,7 +29,7 @@ class LiveRobot {
   /// The newest odometry, and truth where there is one.
   [[nodiscard]] const std::optional<Pose2>& T_world_robot() const { return T_world_robot_; }
   [[nodiscard]] const std::optional<Pose2>& T_world_true() const { return T_world_true_; }
-  [[nodiscard]] sim::RobotVelocity velocity() const;
+  [[nodiscard]] RobotVelocity velocity() const;
   [[nodiscard]] double travelled_m() const { return travelled_m_; }
 
  private:
@@ -42,9 +42,9 @@ class LiveRobot {
   std::optional<Pose2> T_world_robot_;
   std::optional<Pose2> T_world_true_;
   std::optional<Odometry> newest_;
-  sim::RobotVelocity measured_;  // from odometry
+  RobotVelocity measured_;  // from odometry
   std::string noted_mode_ = "stand";
-  sim::RobotVelocity noted_wanted_;
+  RobotVelocity noted_wanted_;
   double travelled_m_ = 0.0;
 };
 

@@ -53,7 +53,7 @@ class LocalMap {
   /// The free way of a disc from its rim along the arc it drives on, at the most `look_m`; none: nothing stands in it.
   /// What is within the disc already counts for motions towards it alone. A turn on the spot is always free.
   /// With more than one of `least_hits`, what only a single echo tells of does not count: it may be noise.
-  [[nodiscard]] std::optional<double> free_along(const Pose2& T_world_base, const sim::RobotVelocity& velocity,
+  [[nodiscard]] std::optional<double> free_along(const Pose2& T_world_base, const RobotVelocity& velocity,
                                                  double hull_radius_m, int least_hits = 1) const;
   static constexpr double look_m = 3.0;
 

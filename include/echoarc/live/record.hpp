@@ -20,7 +20,7 @@ struct Truth {
 struct CommandNote {
   double time_s = 0.0;
   std::string mode;  ///< "drive", "stand", "tour", "goto", "stop"
-  sim::RobotVelocity wanted;
+  RobotVelocity wanted;
 };
 
 /// Whatever a running robot says, in the order in which it says it.

@@ -48,7 +48,7 @@ class RobotControl {
   RobotControl(const ControlOptions& options, double hull_radius_m, std::vector<Vec2> tour);
 
   /// A command of the driver; not finite counts as zero. Starts mode `drive`.
-  void drive(const sim::RobotVelocity& wanted, double host_s);
+  void drive(const RobotVelocity& wanted, double host_s);
   /// The driver is gone, whatever the cause: as if the last command were `dead_man_s` old.
   void driver_gone();
   void stand();
@@ -63,7 +63,7 @@ class RobotControl {
   [[nodiscard]] MotorCommand update(const Drivable& robot, const LocalMap& obstacles, double host_s);
   [[nodiscard]] const ControlState& state() const { return state_; }
   /// What the driver wants; zero in other modes.
-  [[nodiscard]] const sim::RobotVelocity& wanted() const { return wanted_; }
+  [[nodiscard]] const RobotVelocity& wanted() const { return wanted_; }
 
  private:
   /// How fast the robot may go along an arc.
@@ -75,18 +75,16 @@ class RobotControl {
   void start(Mode mode, Reason reason = Reason::none);
   void brake(Reason reason);
   void watch_blockade(double host_s);
-  [[nodiscard]] sim::RobotVelocity steer(const Drivable& robot, double host_s);
-  [[nodiscard]] Cap cap_along(const Drivable& robot, const LocalMap& obstacles,
-                              const sim::RobotVelocity& velocity) const;
-  [[nodiscard]] MotorCommand limited(const sim::RobotVelocity& wanted, const Drivable& robot,
-                                     const LocalMap& obstacles);
+  [[nodiscard]] RobotVelocity steer(const Drivable& robot, double host_s);
+  [[nodiscard]] Cap cap_along(const Drivable& robot, const LocalMap& obstacles, const RobotVelocity& velocity) const;
+  [[nodiscard]] MotorCommand limited(const RobotVelocity& wanted, const Drivable& robot, const LocalMap& obstacles);
 
   ControlOptions options_;
   double hull_radius_m_;
   Route route_;
   Homing homing_;
   ControlState state_;
-  sim::RobotVelocity wanted_;
+  RobotVelocity wanted_;
   std::optional<double> driven_s_;         // host's time of the driver's last command; none: gone
   std::optional<double> held_s_;           // host's time since when an obstacle holds the robot
   std::optional<double> backing_until_s_;  // on a tour, after an obstacle

@@ -26,7 +26,7 @@ class SimulatedSource final : public Source, public Drivable {
  public:
   /// Errors: those of `SteppedSimulation::make`. What moves in the scene starts anew with a continuation.
   [[nodiscard]] static Result<std::unique_ptr<SimulatedSource>> make(
-      sim::Scene scene, std::uint64_t seed, const sim::RobotLimits& limits = {},
+      sim::Scene scene, std::uint64_t seed, const RobotLimits& limits = {},
       const std::optional<Continuation>& continued = std::nullopt);
 
   [[nodiscard]] const SourceDescription& description() const override { return description_; }
@@ -36,20 +36,20 @@ class SimulatedSource final : public Source, public Drivable {
 
   void command(const MotorCommand& command) override;
   [[nodiscard]] Pose2 T_world_base() const override { return T_odometry_simulated_ * simulation_.T_odom_base(); }
-  [[nodiscard]] sim::RobotVelocity velocity() const override { return simulation_.velocity(); }
-  [[nodiscard]] sim::RobotLimits limits() const override { return limits_; }
+  [[nodiscard]] RobotVelocity velocity() const override { return simulation_.velocity(); }
+  [[nodiscard]] RobotLimits limits() const override { return limits_; }
 
   /// For what only a simulation knows: truth and the bumper.
   [[nodiscard]] const sim::SteppedSimulation& simulation() const { return simulation_; }
 
  private:
-  SimulatedSource(sim::SteppedSimulation simulation, const sim::RobotLimits& limits);
+  SimulatedSource(sim::SteppedSimulation simulation, const RobotLimits& limits);
   void shift(Record& record) const;
 
   sim::SteppedSimulation simulation_;
   double begin_s_ = 0.0;        // of the simulation's own time
   Pose2 T_odometry_simulated_;  // from the frame of the simulation's odometry to that of the run it continues
-  sim::RobotLimits limits_;
+  RobotLimits limits_;
   SourceDescription description_;
   std::vector<sim::SteppedRecord> said_;
 };

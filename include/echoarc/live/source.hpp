@@ -35,7 +35,7 @@ struct SourceDescription {
 
 /// Speeds for the motors and how hard they may change.
 struct MotorCommand {
-  sim::RobotVelocity wanted;
+  RobotVelocity wanted;
   double deceleration_m_s2 = 0.3;  ///< used while the robot brakes; speeding up keeps to the robot's own limit
 };
 
@@ -45,8 +45,8 @@ class Drivable {
   virtual ~Drivable() = default;
   virtual void command(const MotorCommand& command) = 0;
   [[nodiscard]] virtual Pose2 T_world_base() const = 0;
-  [[nodiscard]] virtual sim::RobotVelocity velocity() const = 0;
-  [[nodiscard]] virtual sim::RobotLimits limits() const = 0;
+  [[nodiscard]] virtual RobotVelocity velocity() const = 0;
+  [[nodiscard]] virtual RobotLimits limits() const = 0;
 };
 
 /// Something that can be heard again from any moment.

@@ -38,8 +38,8 @@ class Route {
 class Homing {
  public:
   [[nodiscard]] bool arrived(const Pose2& T_world_base, Vec2 goal) const;
-  [[nodiscard]] sim::RobotVelocity steer(const Pose2& T_world_base, Vec2 goal, double cruise_m_s,
-                                         double deceleration_m_s2, const sim::RobotLimits& limits);
+  [[nodiscard]] RobotVelocity steer(const Pose2& T_world_base, Vec2 goal, double cruise_m_s, double deceleration_m_s2,
+                                    const RobotLimits& limits);
 
  private:
   bool turning_ = true;

@@ -17,9 +17,9 @@ class Puppet final : public Drivable {
  public:
   void command(const MotorCommand& command) override { velocity_ = command.wanted; }
   [[nodiscard]] Pose2 T_world_base() const override { return {}; }
-  [[nodiscard]] sim::RobotVelocity velocity() const override { return velocity_; }
-  [[nodiscard]] sim::RobotLimits limits() const override { return {}; }
-  sim::RobotVelocity velocity_;
+  [[nodiscard]] RobotVelocity velocity() const override { return velocity_; }
+  [[nodiscard]] RobotLimits limits() const override { return {}; }
+  RobotVelocity velocity_;
 };
 
 /// What a robot of 0.2 m radius at the origin hears ahead, with one sensor in its centre of a beam of 1 degree.
@@ -71,11 +71,11 @@ TEST(Drive, HostileCommandsAreCutAndWhatIsNoNumberIsZero) {
     control.drive({forward_m_s, radians(turn)}, 0.0);
     return control.update(robot, LocalMap(), 0.0).wanted;
   };
-  EXPECT_EQ(command_of(1e300, 0.0), (sim::RobotVelocity{0.6, Angle{}}));
-  EXPECT_EQ(command_of(-7.0, -1e9), (sim::RobotVelocity{-0.6, -degrees(60.0)}));
-  EXPECT_EQ(command_of(nan, 0.1), (sim::RobotVelocity{0.0, radians(0.1)}));
-  EXPECT_EQ(command_of(0.2, nan), (sim::RobotVelocity{0.2, Angle{}}));
-  EXPECT_EQ(command_of(infinite, -infinite), sim::RobotVelocity{});
+  EXPECT_EQ(command_of(1e300, 0.0), (RobotVelocity{0.6, Angle{}}));
+  EXPECT_EQ(command_of(-7.0, -1e9), (RobotVelocity{-0.6, -degrees(60.0)}));
+  EXPECT_EQ(command_of(nan, 0.1), (RobotVelocity{0.0, radians(0.1)}));
+  EXPECT_EQ(command_of(0.2, nan), (RobotVelocity{0.2, Angle{}}));
+  EXPECT_EQ(command_of(infinite, -infinite), RobotVelocity{});
 }
 
 TEST(Stop, StaysInForceWhenTheStickIsLetGo) {
@@ -85,7 +85,7 @@ TEST(Stop, StaysInForceWhenTheStickIsLetGo) {
   control.stop();
   control.drive({}, 0.1);
   EXPECT_EQ(control.state().reason, Reason::stopped);
-  EXPECT_EQ(control.update(robot, LocalMap(), 0.1).wanted, sim::RobotVelocity{});
+  EXPECT_EQ(control.update(robot, LocalMap(), 0.1).wanted, RobotVelocity{});
   control.drive({0.1, Angle{}}, 0.2);  // a wish to go is one
   EXPECT_EQ(control.update(robot, LocalMap(), 0.2).wanted.forward_m_s, 0.1);
 }
@@ -159,7 +159,7 @@ TEST(LiveRobot, NotesCommandsWhenTheyChange) {
   EXPECT_NEAR(notes[1].time_s, 0.5, 0.011);
   EXPECT_EQ(notes[1].wanted.forward_m_s, 0.3);
   EXPECT_EQ(notes[2].mode, "stop");
-  EXPECT_EQ(notes[2].wanted, sim::RobotVelocity{});
+  EXPECT_EQ(notes[2].wanted, RobotVelocity{});
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ LocalMap point_at(Vec2 place) {
 }
 
 /// The slow obvious way: a disc moved on in small steps until it covers the point, coming from outside.
-std::optional<double> marched(Vec2 point, const sim::RobotVelocity& velocity) {
+std::optional<double> marched(Vec2 point, const RobotVelocity& velocity) {
   constexpr double step_m = 1e-4;
   const double sign = velocity.forward_m_s < 0.0 ? -1.0 : 1.0;
   const double turn_per_m = velocity.turn_per_s.rad() / velocity.forward_m_s * sign;
@@ -47,7 +47,7 @@ TEST(LocalMap, FreeWayIsWhatADiscCanGo) {
     const Vec2 place{rng.uniform(-1.0, 1.0), rng.uniform(-0.6, 0.6)};
     if (norm(place) < hull_m + 0.01) continue;
     const double turn_deg = trial % 4 == 0 ? 0.0 : rng.uniform(-80.0, 80.0);
-    const sim::RobotVelocity velocity{trial % 2 == 0 ? 0.4 : -0.3, degrees(turn_deg)};
+    const RobotVelocity velocity{trial % 2 == 0 ? 0.4 : -0.3, degrees(turn_deg)};
     const auto free_m = point_at(place).free_along({}, velocity, hull_m);
     const auto expected_m = marched(place, velocity);
     // A point that is just grazed may be met or not.
