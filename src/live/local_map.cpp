@@ -7,38 +7,16 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
+
+#include "echoarc/nav/free_way.hpp"
 
 namespace echoarc::live {
 namespace {
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double margin_m = 0.1;            // to both sides of a range
 constexpr double share_of_beam = 0.9;       // sound is weak at its rim
 constexpr double share_of_beam_near = 1.2;  // a whole arc that was noise, wherever the robot has gone since
 constexpr int most_hits = 100;
-
-/// Way of a disc until its rim meets `point`, both seen from the disc's centre with the motion along +x.
-std::optional<double> way_ahead(Vec2 point, double radius_m) {
-  if (point.x <= 0.0 || std::abs(point.y) >= radius_m) return {};
-  return std::max(0.0, point.x - std::sqrt(radius_m * radius_m - point.y * point.y));
-}
-
-/// The same on a circle through the origin, tangent to +x there, with its centre at (0, `turn_m`), at most once round.
-std::optional<double> way_around(Vec2 point, double radius_m, double turn_m) {
-  const double circle_m = std::abs(turn_m);
-  if (turn_m < 0.0) point.y = -point.y;
-  const Vec2 from_centre = point - Vec2{0.0, circle_m};
-  const double far_m = norm(from_centre);
-  if (std::abs(far_m - circle_m) >= radius_m || far_m == 0.0) return {};
-  // Half the angle under which the disc, on its circle, hides the point.
-  const double hidden = std::acos(
-      std::clamp((circle_m * circle_m + far_m * far_m - radius_m * radius_m) / (2.0 * circle_m * far_m), -1.0, 1.0));
-  double ahead = std::atan2(from_centre.x, -from_centre.y);  // from (0, -1), where the disc is, counter-clockwise
-  if (norm(point) < radius_m) return ahead > 0.0 ? std::optional(0.0) : std::nullopt;
-  if (ahead < 0.0) ahead += full_turn;
-  return circle_m * std::max(0.0, ahead - hidden);
-}
 
 }  // namespace
 
@@ -171,28 +149,10 @@ void LocalMap::forget(double time_s) {
 
 std::optional<double> LocalMap::free_along(const Pose2& T_world_base, const RobotVelocity& velocity,
                                            double hull_radius_m, int least_hits) const {
-  constexpr double straight_m = 1e4;
-  if (velocity.forward_m_s == 0.0 || !std::isfinite(velocity.forward_m_s)) return {};
-  const Pose2 T_base_world = inverse(T_world_base);
-  const Vec2 turn = unit(T_base_world.heading);
-  const double turn_rad_s = velocity.turn_per_s.rad();
-  const double turn_m = turn_rad_s != 0.0 ? velocity.forward_m_s / turn_rad_s : straight_m;
-  const bool straight = !(std::abs(turn_m) < straight_m);
-  const bool backwards = velocity.forward_m_s < 0.0;
-  double nearest_m = look_m;
-  for (const auto& [cell, point] : points_) {
-    if (point.hits < least_hits) continue;
-    const Vec2 there = point.place - T_world_base.position;
-    if (squared_norm(there) > (nearest_m + hull_radius_m) * (nearest_m + hull_radius_m)) continue;
-    Vec2 seen{turn.x * there.x - turn.y * there.y, turn.y * there.x + turn.x * there.y};
-    // Backwards is forwards for who looks back: turned by half a turn, with the centre of the circle on the other side.
-    if (backwards) seen = -seen;
-    const auto way_m =
-        straight ? way_ahead(seen, hull_radius_m) : way_around(seen, hull_radius_m, backwards ? -turn_m : turn_m);
-    if (way_m) nearest_m = std::min(nearest_m, *way_m);
-  }
-  if (nearest_m < look_m) return nearest_m;
-  return {};
+  nav::FreeWay way(T_world_base, velocity, hull_radius_m, look_m);
+  for (const auto& [cell, point] : points_)
+    if (point.hits >= least_hits) way.meet(point.place);
+  return way.free_m();
 }
 
 std::vector<Vec2> LocalMap::points() const {
