@@ -13,6 +13,7 @@
 
 #include "echoarc/io/builtin.hpp"
 #include "echoarc/io/config.hpp"
+#include "echoarc/io/robot_toml.hpp"
 
 namespace echoarc::cli {
 namespace {
@@ -63,6 +64,16 @@ Result<io::SceneFile> load_scene(const std::string& name) {
   for (const io::BuiltinText& scene : io::builtin_scenes()) names.push_back(scene.name);
   return Error{ErrorCode::not_found, "there is no such file, and no scene of that name", name,
                fmt::format("give a scene.toml, or one of {}", fmt::join(names, ", "))};
+}
+
+Result<RobotDescription> load_robot(const std::string& name) {
+  std::error_code ignored;
+  if (fs::is_regular_file(name, ignored)) return io::read_robot_toml(name);
+  if (const std::optional<std::string_view> text = io::builtin_robot(name)) return io::parse_robot_toml(*text, name);
+  std::vector<std::string_view> names;
+  for (const io::BuiltinText& robot : io::builtin_robots()) names.push_back(robot.name);
+  return Error{ErrorCode::not_found, "there is no such file, and no robot of that name", name,
+               fmt::format("give a robot.toml, or one of {}", fmt::join(names, ", "))};
 }
 
 Result<void> apply_scene_settings(sim::Scene& scene, const std::vector<std::string>& settings) {

@@ -51,6 +51,7 @@ struct Verb {
 [[nodiscard]] Verb convert_verb();
 [[nodiscard]] Verb reproduce_verb();
 [[nodiscard]] Verb compare_verb();
+[[nodiscard]] Verb explore_verb();
 [[nodiscard]] Verb serve_verb();
 [[nodiscard]] Verb demo_verb();
 

@@ -39,11 +39,12 @@ Json tallies_json(const std::vector<Tally>& tallies) {
 }
 
 Json method_json(const MethodReport& method) {
-  Json json = {{"name", method.name},
-               {"options", to_json(method.options)},
-               {"counters", counters_json(method.counters)},
-               {"points", method.points},
-               {"cells", {{"free", method.cells_free}, {"occupied", method.cells_occupied}}}};
+  Json json = {{"name", method.name}};
+  if (!method.method.empty() && method.method != method.name) json["method"] = method.method;
+  json["options"] = to_json(method.options);
+  json["counters"] = counters_json(method.counters);
+  json["points"] = method.points;
+  json["cells"] = {{"free", method.cells_free}, {"occupied", method.cells_occupied}};
   if (!method.tallies.empty()) json["tallies"] = tallies_json(method.tallies);
   return json;
 }

@@ -18,6 +18,7 @@
 #include "io/scene_scoring_toml.hpp"
 #include "io/scene_world.hpp"
 #include "io/sensor_toml.hpp"
+#include "io/toml_points.hpp"
 
 namespace echoarc::io {
 namespace {
@@ -75,6 +76,17 @@ std::vector<sim::LaserOptions> read_lasers(TomlFields& scene, const RobotDescrip
   return lasers;
 }
 
+/// `[explore]`: goals = [[x, y], ...]
+std::vector<Vec2> read_goals(TomlFields& scene) {
+  const toml::table* table = scene.table("explore");
+  if (table == nullptr) return {};
+  TomlFields fields(*table, scene.source(), "explore");
+  std::vector<Vec2> goals;
+  for (const TomlPoint& goal : read_points(fields, "goals", 1)) goals.push_back(goal.point);
+  if (const Result<void> done = fields.finish(); !done) scene.fail(done.error());
+  return goals;
+}
+
 /// Whether a simulator will take the world; an error names file and line.
 Result<void> check_world(const sim::WorldDescription& description, std::string_view source) {
   const Result<sim::World> world = sim::World::make(description);
@@ -107,6 +119,7 @@ Result<SceneFile> read_scene(std::string_view text, std::string_view source) {
   scene.polling = read_option_table<sim::PollingOptions>(fields.table("polling"), fields, "polling");
   scene.lasers = read_lasers(fields, scene.robot);
   file.scoring = read_scoring(fields);
+  file.goals = read_goals(fields);
   if (const Result<void> done = fields.finish(); !done) return done.error();
   if (const Result<void> checked = check_world(scene.world, source); !checked) return checked.error();
   return file;

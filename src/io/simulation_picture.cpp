@@ -3,7 +3,6 @@
 
 #include "echoarc/io/simulation_picture.hpp"
 
-#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,40 +11,10 @@
 
 #include "echoarc/core/pose_track.hpp"
 #include "echoarc/io/picture.hpp"
+#include "io/world_lines.hpp"
 
 namespace echoarc::io {
 namespace {
-
-using Polylines = std::vector<std::vector<Vec2>>;
-
-std::vector<Vec2> circle(Vec2 centre, double radius_m) {
-  constexpr int corners = 72;
-  std::vector<Vec2> outline;
-  for (int k = 0; k <= corners; ++k) outline.push_back(centre + radius_m * unit(degrees(360.0 * k / corners)));
-  return outline;
-}
-
-Polylines surfaces_of(const sim::WorldDescription& world) {
-  Polylines lines;
-  for (const sim::Wall& wall : world.walls) lines.push_back({wall.a, wall.b});
-  for (const sim::Disc& disc : world.discs) lines.push_back(circle(disc.centre, disc.radius_m));
-  for (const sim::SmoothCurve& curve : world.curves) lines.push_back(curve.points);
-  return lines;
-}
-
-/// The discs where they start and where they end, and the way between.
-Polylines movers_of(const sim::WorldDescription& world) {
-  Polylines lines;
-  for (const sim::MovingDisc& disc : world.moving) {
-    if (disc.path.empty()) continue;
-    lines.push_back(circle(disc.path.front().centre, disc.radius_m));
-    lines.push_back(circle(disc.path.back().centre, disc.radius_m));
-    std::vector<Vec2> way;
-    for (const sim::MovingDisc::Station& station : disc.path) way.push_back(station.centre);
-    lines.push_back(std::move(way));
-  }
-  return lines;
-}
 
 /// Where a map that knows nothing better would put the echo.
 Vec2 place_of(const Ping& ping, const Pose2& T_world_robot, const SensorArray& sensors) {
@@ -68,12 +37,6 @@ std::vector<EchoMark> echoes_of(const sim::Simulation& simulation) {
         marks.push_back({place_of(ping, *T_world_robot, log.robot.sensors), ping.cause});
     }
   return marks;
-}
-
-std::string title_of(const sim::Scene& scene) {
-  std::string title = scene.title.empty() ? scene.name : scene.title;
-  std::erase_if(title, [](char letter) { return letter < ' ' || letter > '~'; });
-  return title;
 }
 
 }  // namespace

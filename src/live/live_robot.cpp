@@ -14,6 +14,18 @@ LiveRobot::LiveRobot(std::unique_ptr<Source> source, const ControlOptions& optio
   if (source_->drivable() != nullptr) control_.emplace(options, is.robot.radius_m, is.tour);
 }
 
+LiveRobot::LiveRobot(std::unique_ptr<Source> source, const ControlOptions& options, Navigator navigator)
+    : LiveRobot(std::move(source), options) {
+  if (control_) navigator_.emplace(std::move(navigator));
+}
+
+void LiveRobot::navigate(std::unique_ptr<nav::Strategy> strategy, std::span<const Vec2> places) {
+  if (!navigator_ || strategy == nullptr) return;
+  control_->navigate(std::string(strategy->name()));
+  navigator_->follow(std::move(strategy), places);
+  next_steering_s_ = source_->time_s();
+}
+
 Result<void> LiveRobot::step(double until_s, double host_s, std::vector<Record>& records) {
   constexpr double longest_step_s = 0.01;
   constexpr double same_time_s = 1e-9;
@@ -21,7 +33,13 @@ Result<void> LiveRobot::step(double until_s, double host_s, std::vector<Record>&
   while (source_->time_s() < until_s) {
     double next_s = until_s;
     if (robot != nullptr) {
-      robot->command(control_->update(*robot, obstacles_, host_s));
+      if (control_->state().mode == Mode::navigate) {
+        ask_strategy(records);
+        robot->command(control_->update(*robot, PointObstacles(navigator_->points()), host_s));
+      } else {
+        note_wall(WallSide::unknown, records);
+        robot->command(control_->update(*robot, obstacles_, host_s));
+      }
       note_commands(records);
       if (until_s - source_->time_s() > longest_step_s + same_time_s) next_s = source_->time_s() + longest_step_s;
     }
@@ -33,10 +51,28 @@ Result<void> LiveRobot::step(double until_s, double host_s, std::vector<Record>&
   return {};
 }
 
+/// Asks at a steady rate, and notes in the log which wall is followed.
+void LiveRobot::ask_strategy(std::vector<Record>& records) {
+  constexpr double steering_period_s = 0.1;
+  const Drivable& robot = *source_->drivable();
+  if (source_->time_s() < next_steering_s_) return;
+  next_steering_s_ += steering_period_s;
+  const nav::Steering steering = navigator_->steer(source_->time_s(), robot.T_world_base(), robot.velocity());
+  control_->obey(steering);
+  note_wall(steering.followed.value_or(WallSide::unknown), records);
+}
+
+void LiveRobot::note_wall(WallSide side, std::vector<Record>& records) {
+  if (side == noted_wall_) return;
+  noted_wall_ = side;
+  records.emplace_back(WallNote{.time_s = source_->time_s(), .side = side});
+}
+
 void LiveRobot::note_commands(std::vector<Record>& records) {
   const bool stopped = control_->state().reason == Reason::stopped && control_->state().mode == Mode::stand;
-  const std::string_view mode = stopped ? "stop" : name(control_->state().mode);
-  if (mode == noted_mode_ && control_->wanted() == noted_wanted_) return;
+  const std::string_view mode = stopped ? "stop" : mode_name(control_->state());
+  const bool steered = control_->state().mode == Mode::navigate;  // ten times a second: which mode it is says enough
+  if (mode == noted_mode_ && (steered || control_->wanted() == noted_wanted_)) return;
   noted_mode_ = mode;
   noted_wanted_ = control_->wanted();
   records.emplace_back(CommandNote{source_->time_s(), noted_mode_, noted_wanted_});
@@ -45,6 +81,7 @@ void LiveRobot::note_commands(std::vector<Record>& records) {
 void LiveRobot::heed(const Record& record) {
   if (const auto* truth = std::get_if<Truth>(&record)) T_world_true_ = truth->pose.T_world_robot;
   const bool drives = control_.has_value();
+  if (navigator_) navigator_->heed(record);
   if (const auto* ping = std::get_if<Ping>(&record); ping != nullptr && drives) obstacles_.add(*ping);
   if (const auto* poll = std::get_if<Poll>(&record); poll != nullptr && drives) obstacles_.add(*poll);
   const auto* odometry = std::get_if<Odometry>(&record);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace echoarc::live {
 namespace {
@@ -30,13 +31,14 @@ bool same_side(double a, double b) {
 
 }  // namespace
 
-std::string_view name(Mode mode) {
+std::string_view mode_name(const ControlState& state) {
   constexpr std::array<std::string_view, 4> names{"stand", "drive", "tour", "goto"};
-  return names[static_cast<std::size_t>(mode)];
+  return state.mode == Mode::navigate ? std::string_view(state.strategy) : names[static_cast<std::size_t>(state.mode)];
 }
 
 std::string_view name(Reason reason) {
-  constexpr std::array<std::string_view, 6> names{"", "arrived", "blocked", "obstacle", "dead man", "stopped"};
+  constexpr std::array<std::string_view, 8> names{"",         "arrived", "blocked",  "obstacle",
+                                                  "dead man", "stopped", "finished", "failed"};
   return names[static_cast<std::size_t>(reason)];
 }
 
@@ -47,6 +49,8 @@ void RobotControl::start(Mode mode, Reason reason) {
   state_.mode = mode;
   state_.reason = reason;
   state_.goal.reset();
+  state_.strategy.clear();
+  state_.detail.clear();
   wanted_ = {};
   driven_s_.reset();
   held_s_.reset();
@@ -89,6 +93,23 @@ void RobotControl::go_to(Vec2 goal) {
   state_.goal = goal;
 }
 
+void RobotControl::navigate(std::string strategy) {
+  start(Mode::navigate);
+  state_.strategy = std::move(strategy);
+}
+
+void RobotControl::obey(const nav::Steering& steering) {
+  if (state_.mode != Mode::navigate) return;
+  if (steering.status != nav::Status::running) {
+    std::string strategy = std::move(state_.strategy);
+    start(Mode::stand, steering.status == nav::Status::finished ? Reason::finished : Reason::failed);
+    state_.strategy = std::move(strategy);
+  } else {
+    wanted_ = {finite_or_zero(steering.wanted.forward_m_s), radians(finite_or_zero(steering.wanted.turn_per_s.rad()))};
+  }
+  state_.detail = steering.reason;
+}
+
 void RobotControl::stop() {
   brake(Reason::stopped);
 }
@@ -97,7 +118,7 @@ void RobotControl::unattended() {
   brake(Reason::dead_man);
 }
 
-MotorCommand RobotControl::update(const Drivable& robot, const LocalMap& obstacles, double host_s) {
+MotorCommand RobotControl::update(const Drivable& robot, const Obstacles& obstacles, double host_s) {
   const bool alive = driven_s_ && host_s - *driven_s_ < options_.dead_man_s;
   if (state_.mode == Mode::drive && !alive) brake(Reason::dead_man);
   watch_blockade(host_s);
@@ -125,7 +146,7 @@ void RobotControl::watch_blockade(double host_s) {
 
 /// What the mode wants, whatever stands in the way.
 RobotVelocity RobotControl::steer(const Drivable& robot, double host_s) {
-  if (state_.mode == Mode::drive) return wanted_;
+  if (state_.mode == Mode::drive || state_.mode == Mode::navigate) return wanted_;
   if (state_.mode == Mode::stand) return {};
   if (backing_until_s_ && host_s < *backing_until_s_) return {-creep_m_s, Angle{}};
   backing_until_s_.reset();
@@ -145,7 +166,7 @@ RobotVelocity RobotControl::steer(const Drivable& robot, double host_s) {
   return homing_.steer(T_world_base, *state_.goal, options_.cruise_m_s, options_.deceleration_m_s2, robot.limits());
 }
 
-RobotControl::Cap RobotControl::cap_along(const Drivable& robot, const LocalMap& obstacles,
+RobotControl::Cap RobotControl::cap_along(const Drivable& robot, const Obstacles& obstacles,
                                           const RobotVelocity& velocity) const {
   const Pose2 T_world_base = robot.T_world_base();
   const double most_m_s = robot.limits().speed_m_s;
@@ -166,7 +187,7 @@ RobotControl::Cap RobotControl::cap_along(const Drivable& robot, const LocalMap&
 }
 
 /// The command that obeys the motors' limits and the cap, of the arc that is wanted and of the one the robot is on.
-MotorCommand RobotControl::limited(const RobotVelocity& wanted, const Drivable& robot, const LocalMap& obstacles) {
+MotorCommand RobotControl::limited(const RobotVelocity& wanted, const Drivable& robot, const Obstacles& obstacles) {
   const RobotLimits limits = robot.limits();
   const RobotVelocity now = robot.velocity();
   MotorCommand command;

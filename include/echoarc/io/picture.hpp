@@ -33,6 +33,8 @@ struct PictureContent {
   std::span<const Feature> features = {};            ///< world; segments as strokes, points as rings, coloured by kind
   std::span<const std::vector<Vec2>> surfaces = {};  ///< world; polylines of what stands there
   std::span<const std::vector<Vec2>> movers = {};    ///< world; outlines and ways of what moves there
+  std::span<const std::vector<Vec2>> graph = {};     ///< world; the edges of a graph of ways
+  std::span<const Vec2> nodes = {};                  ///< world; its nodes
   std::span<const EchoMark> echoes = {};             ///< world; coloured by cause; far-off ones may be cut off
 };
 

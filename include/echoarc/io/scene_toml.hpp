@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "echoarc/core/result.hpp"
 #include "echoarc/eval/scene_scoring.hpp"
@@ -18,6 +19,7 @@ namespace echoarc::io {
 struct SceneFile {
   sim::Scene scene;
   std::optional<SceneScoring> scoring;
+  std::vector<Vec2> goals;  ///< `[explore]`: places that matter to a robot that finds its own way
 };
 
 /// A scene.toml; docs/scenes.md lists its keys. `source` names it in messages. Errors say line, cause and remedy.

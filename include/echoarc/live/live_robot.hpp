@@ -5,10 +5,12 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "echoarc/live/local_map.hpp"
+#include "echoarc/live/navigator.hpp"
 #include "echoarc/live/robot_control.hpp"
 #include "echoarc/live/source.hpp"
 
@@ -19,6 +21,12 @@ namespace echoarc::live {
 class LiveRobot {
  public:
   explicit LiveRobot(std::unique_ptr<Source> source, const ControlOptions& options = {});
+  /// The same, with maps of its own to find its way by; heeded only of a source that can be driven.
+  LiveRobot(std::unique_ptr<Source> source, const ControlOptions& options, Navigator navigator);
+
+  /// Lets a strategy drive until it has ended, or somebody else does. Only with a navigator; `places` as there.
+  void navigate(std::unique_ptr<nav::Strategy> strategy, std::span<const Vec2> places = {});
+  [[nodiscard]] const Navigator* navigator() const { return navigator_ ? &*navigator_ : nullptr; }
 
   /// Goes on to `until_s` of the source's time in steps of at most 10 ms, the control in each; appends what was said.
   /// `host_s`: the host's monotonic time now.
@@ -35,10 +43,15 @@ class LiveRobot {
  private:
   void note_commands(std::vector<Record>& records);
   void heed(const Record& record);
+  void ask_strategy(std::vector<Record>& records);
+  void note_wall(WallSide side, std::vector<Record>& records);
 
   std::unique_ptr<Source> source_;
   std::optional<RobotControl> control_;
   LocalMap obstacles_;
+  std::optional<Navigator> navigator_;
+  double next_steering_s_ = 0.0;
+  WallSide noted_wall_ = WallSide::unknown;
   std::optional<Pose2> T_world_robot_;
   std::optional<Pose2> T_world_true_;
   std::optional<Odometry> newest_;

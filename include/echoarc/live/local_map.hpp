@@ -12,8 +12,8 @@
 
 #include "echoarc/core/log.hpp"
 #include "echoarc/core/options.hpp"
+#include "echoarc/live/obstacles.hpp"
 #include "echoarc/sensing/no_echo.hpp"
-#include "echoarc/sim/simulated_robot.hpp"
 
 namespace echoarc::live {
 
@@ -40,7 +40,7 @@ struct LocalMapOptions {
 /// What stands around a robot, as its newest echoes tell: every echo puts points along its whole arc, for it may have
 /// come from anywhere on it; readings that hear through a point take it away. Meant for braking, not for maps: it
 /// believes in every obstacle until it is contradicted.
-class LocalMap {
+class LocalMap final : public Obstacles {
  public:
   LocalMap() = default;
   explicit LocalMap(const RobotDescription& robot, const LocalMapOptions& options = {});
@@ -54,7 +54,7 @@ class LocalMap {
   /// What is within the disc already counts for motions towards it alone. A turn on the spot is always free.
   /// With more than one of `least_hits`, what only a single echo tells of does not count: it may be noise.
   [[nodiscard]] std::optional<double> free_along(const Pose2& T_world_base, const RobotVelocity& velocity,
-                                                 double hull_radius_m, int least_hits = 1) const;
+                                                 double hull_radius_m, int least_hits = 1) const override;
   static constexpr double look_m = 3.0;
 
   [[nodiscard]] std::vector<Vec2> points() const;

@@ -5,22 +5,24 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "echoarc/core/pose2.hpp"
-#include "echoarc/live/local_map.hpp"
+#include "echoarc/live/obstacles.hpp"
 #include "echoarc/live/source.hpp"
 #include "echoarc/live/waypoints.hpp"
+#include "echoarc/nav/strategy.hpp"
 
 namespace echoarc::live {
 
-enum class Mode : std::uint8_t { stand, drive, tour, go_to };
-[[nodiscard]] std::string_view name(Mode mode);  ///< "stand", "drive", "tour", "goto"
+enum class Mode : std::uint8_t { stand, drive, tour, go_to, navigate };
 
 /// Why the robot does what it does, where that is not plain from the mode.
-enum class Reason : std::uint8_t { none, arrived, blocked, obstacle, dead_man, stopped };
-[[nodiscard]] std::string_view name(Reason reason);  ///< "", "arrived", "blocked", "obstacle", "dead man", "stopped"
+enum class Reason : std::uint8_t { none, arrived, blocked, obstacle, dead_man, stopped, finished, failed };
+/// "", "arrived", "blocked", "obstacle", "dead man", "stopped", "finished", "failed"
+[[nodiscard]] std::string_view name(Reason reason);
 
 struct ControlOptions {
   double dead_man_s = 0.5;              ///< without a command of the driver for so long the robot brakes
@@ -34,11 +36,16 @@ struct ControlOptions {
 struct ControlState {
   Mode mode = Mode::stand;
   Reason reason = Reason::none;
+  std::string strategy;  ///< of mode `navigate`: its name; of another mode: of the one that has ended here
+  std::string detail;    ///< what the strategy does, or why it ended
   std::optional<Vec2> goal;
   double limit_m_s = 0.0;              ///< the speed cap of this moment
   bool limited_by_obstacle = false;    ///< the cap lies below what was wanted
   std::optional<double> free_ahead_m;  ///< along the motion arc, from the hull; none: nothing seen
 };
+
+/// "stand", "drive", "tour", "goto", or the name of the strategy.
+[[nodiscard]] std::string_view mode_name(const ControlState& state);
 
 /// From modes and a driver's wishes to motor commands: speed cap from the free way along the motion arc
 /// v <= sqrt(2 a max(0, d_free - d_stop)), obstacle stop, dead-man, tour and go to. Knows no clock: `host_s` is the
@@ -54,15 +61,19 @@ class RobotControl {
   void stand();
   void tour();
   void go_to(Vec2 goal);
+  /// Obeys a strategy: what it wants is said by `obey`, as often as it likes.
+  void navigate(std::string strategy);
+  /// Heeded in mode `navigate` alone. A strategy that has ended ends the mode.
+  void obey(const nav::Steering& steering);
   /// Brakes at the stopping deceleration and stands until a mode starts or someone drives.
   void stop();
   /// For a robot that must not go on unattended (`--attended`): as `stop`, with the reason of the dead-man.
   void unattended();
 
   /// The command of this moment.
-  [[nodiscard]] MotorCommand update(const Drivable& robot, const LocalMap& obstacles, double host_s);
+  [[nodiscard]] MotorCommand update(const Drivable& robot, const Obstacles& obstacles, double host_s);
   [[nodiscard]] const ControlState& state() const { return state_; }
-  /// What the driver wants; zero in other modes.
+  /// What the driver or the strategy wants; zero in other modes.
   [[nodiscard]] const RobotVelocity& wanted() const { return wanted_; }
 
  private:
@@ -76,8 +87,8 @@ class RobotControl {
   void brake(Reason reason);
   void watch_blockade(double host_s);
   [[nodiscard]] RobotVelocity steer(const Drivable& robot, double host_s);
-  [[nodiscard]] Cap cap_along(const Drivable& robot, const LocalMap& obstacles, const RobotVelocity& velocity) const;
-  [[nodiscard]] MotorCommand limited(const RobotVelocity& wanted, const Drivable& robot, const LocalMap& obstacles);
+  [[nodiscard]] Cap cap_along(const Drivable& robot, const Obstacles& obstacles, const RobotVelocity& velocity) const;
+  [[nodiscard]] MotorCommand limited(const RobotVelocity& wanted, const Drivable& robot, const Obstacles& obstacles);
 
   ControlOptions options_;
   double hull_radius_m_;

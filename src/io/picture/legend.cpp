@@ -20,7 +20,7 @@ constexpr double line_height = 28.0;
 
 double width_of_sign(LegendSign sign) {
   const bool line = sign == LegendSign::path || sign == LegendSign::feature || sign == LegendSign::surface ||
-                    sign == LegendSign::mover;
+                    sign == LegendSign::mover || sign == LegendSign::graph;
   return line ? path_sign_width : sign_width;
 }
 
@@ -99,6 +99,7 @@ std::vector<LegendItem> legend_of(const PictureContent& content) {
   add_features(items, content);
   if (!content.surfaces.empty()) items.push_back({.sign = LegendSign::surface, .text = "surfaces"});
   if (!content.movers.empty()) items.push_back({.sign = LegendSign::mover, .text = "moving"});
+  if (!content.graph.empty()) items.push_back({.sign = LegendSign::graph, .text = "graph"});
   add_echoes(items, content);
   if (!content.path.empty()) {
     items.push_back({.sign = LegendSign::path, .text = "path"});
@@ -134,6 +135,7 @@ void draw_legend_item(Canvas& canvas, const LegendItem& item, Vec2 baseline_star
     case LegendSign::path: draw_stroke_sign(canvas, middle, path_width, palette::path, path_opacity); break;
     case LegendSign::surface: draw_stroke_sign(canvas, middle, surface_width, palette::surface); break;
     case LegendSign::mover: draw_stroke_sign(canvas, middle, mover_width, palette::mover); break;
+    case LegendSign::graph: draw_stroke_sign(canvas, middle, graph_width, palette::graph); break;
     case LegendSign::echo: draw_echo_mark(canvas, middle, item.cause, 4.0); break;
     case LegendSign::feature: {
       const bool line =

@@ -15,7 +15,7 @@ namespace echoarc::io {
 
 inline constexpr TextStyle legend_style = {.cap_height = 11.0, .color = palette::quiet_ink};
 
-enum class LegendSign { cell, point, feature, surface, mover, echo, path, start, end };
+enum class LegendSign { cell, point, feature, surface, mover, graph, echo, path, start, end };
 
 /// One explained sign.
 struct LegendItem {

@@ -107,6 +107,12 @@ void draw_echoes(Canvas& canvas, std::span<const EchoMark> echoes, const View& v
         draw_echo_mark(canvas, view.pixel(echo.position), echo.cause, radius);
 }
 
+void draw_nodes(Canvas& canvas, std::span<const Vec2> nodes, const View& view) {
+  constexpr double radius = 4.5;
+  for (const Vec2 node : nodes)
+    if (is_finite(node)) canvas.fill_disc(view.pixel(node), radius, palette::graph);
+}
+
 void draw_features(Canvas& canvas, std::span<const Feature> features, const View& view) {
   for (const Feature& feature : features)
     if (is_finite(feature.begin) && is_finite(feature.end))
@@ -123,6 +129,8 @@ Canvas draw_map(const PictureContent& content, const View& view) {
   draw_echoes(canvas, content.echoes, view);
   draw_lines(canvas, content.surfaces, view, surface_width, palette::surface);
   draw_path(canvas, content.path, view);
+  draw_lines(canvas, content.graph, view, graph_width, palette::graph);
+  draw_nodes(canvas, content.nodes, view);
   draw_points(canvas, content.points, view);
   draw_features(canvas, content.features, view);
   return canvas;

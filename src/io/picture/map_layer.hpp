@@ -25,5 +25,6 @@ inline constexpr double path_width = 2.2;  ///< pixels
 inline constexpr double path_opacity = 0.8;
 inline constexpr double surface_width = 3.0;
 inline constexpr double mover_width = 1.6;
+inline constexpr double graph_width = 2.4;
 
 }  // namespace echoarc::io

@@ -24,6 +24,7 @@ inline constexpr Color grid_mark = rgb(0xB9C2CC);
 inline constexpr Color surface = rgb(0x1D2630);
 inline constexpr Color mover = rgb(0x8A96A3);
 inline constexpr Color path = rgb(0x1763C6);
+inline constexpr Color graph = rgb(0xC2185B);
 
 /// One colour a label; told apart by people with red-green blindness, too.
 [[nodiscard]] constexpr Color of(PointLabel label) {

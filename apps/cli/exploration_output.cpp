@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The echoarc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/exploration_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/report.hpp"
+#include "cli/table.hpp"
+#include "echoarc/eval/statistics.hpp"
+#include "echoarc/io/byte_sink.hpp"
+#include "echoarc/io/exploration_picture.hpp"
+#include "echoarc/io/jsonl.hpp"
+#include "echoarc/io/run_report.hpp"
+
+namespace echoarc::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using studies::ExplorationRun;
+
+/// A goal counts as reached when the robot's centre came as near as this.
+constexpr double reached_m = 0.3;
+
+std::size_t goals_reached(const ExplorationRun& run) {
+  return static_cast<std::size_t>(std::ranges::count_if(run.goal_distance_m, [](double d) { return d <= reached_m; }));
+}
+
+double covered(const ExplorationRun& run) {
+  return run.coverage.empty() ? 0.0 : run.coverage.back().covered;
+}
+
+/// Simulated seconds per second of processor time.
+double speed(const ExplorationRun& run) {
+  return run.cpu_s > 0.0 ? run.time_s / run.cpu_s : 0.0;
+}
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json json_of(const ExplorationRun& run) {
+  Json json{{"seed", run.seed},
+            {"status", name(run.status)},
+            {"reason", run.reason},
+            {"time_s", run.time_s},
+            {"travelled_m", run.travelled_m},
+            {"collisions", run.collisions},
+            {"least_clearance_m", number(run.least_clearance_m)},
+            {"covered", covered(run)},
+            {"goals", run.goal_distance_m.size()},
+            {"goals_reached", goals_reached(run)},
+            {"goal_distance_m", run.goal_distance_m},
+            {"steering_p99_s", run.steering_p99_s},
+            {"cpu_s", run.cpu_s}};
+  if (run.score)
+    json["score"] = {{"points", run.score->points},
+                     {"mae_m", number(run.score->mae_m)},
+                     {"correct_detection", number(run.score->detection.overall_ratio())}};
+  return json;
+}
+
+std::string cell(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+std::string runs_csv(const std::vector<ExplorationRun>& runs) {
+  std::string text =
+      "seed,status,reason,time_s,travelled_m,collisions,least_clearance_m,covered,goals_reached,points,mae_m,cpu_s,"
+      "steering_p99_s\n";
+  for (const ExplorationRun& run : runs)
+    text += fmt::format("{},{},\"{}\",{:.2f},{:.3f},{},{},{:.5f},{},{},{},{:.3f},{:.6f}\n", run.seed, name(run.status),
+                        run.reason, run.time_s, run.travelled_m, run.collisions, cell(run.least_clearance_m),
+                        covered(run), goals_reached(run), run.score ? run.score->points : 0,
+                        run.score ? cell(run.score->mae_m) : "", run.cpu_s, run.steering_p99_s);
+  return text;
+}
+
+std::string coverage_csv(const std::vector<ExplorationRun>& runs) {
+  std::string text = "seed,time_s,travelled_m,covered\n";
+  for (const ExplorationRun& run : runs)
+    for (const studies::CoverageSample& sample : run.coverage)
+      text += fmt::format("{},{:.2f},{:.3f},{:.5f}\n", run.seed, sample.time_s, sample.travelled_m, sample.covered);
+  return text;
+}
+
+Result<void> write_text(const std::filesystem::path& path, std::string_view text) {
+  const Result<std::unique_ptr<io::FileSink>> sink = io::FileSink::create(path);
+  if (!sink) return sink.error();
+  if (Result<void> written = (*sink)->write(text); !written) return written;
+  return (*sink)->commit();
+}
+
+Result<void> write_log(const std::filesystem::path& path, const Log& log) {
+  const Result<std::unique_ptr<io::FileSink>> sink = io::FileSink::create(path);
+  if (!sink) return sink.error();
+  if (Result<void> written = io::write_jsonl(log, **sink); !written) return written;
+  return (*sink)->commit();
+}
+
+Result<void> write_run(const std::filesystem::path& folder, const ExplorationReport& report, const ExplorationRun& run,
+                       bool with_log) {
+  const std::string stem = fmt::format("seed-{}", run.seed);
+  if (Result<void> written =
+          io::write_exploration_picture(folder / (stem + ".png"), report.request->scene, run.log, run.map, run.sketch);
+      !written)
+    return written;
+  return with_log ? write_log(folder / (stem + ".jsonl"), run.log) : Result<void>{};
+}
+
+}  // namespace
+
+std::string exploration_table(const ExplorationReport& report) {
+  const bool goals = !report.request->goals.empty();
+  const bool scored = std::ranges::any_of(report.runs, [](const ExplorationRun& run) { return run.score.has_value(); });
+  std::vector<std::string> head{"seed", "end", "time [s]", "way [m]", "collisions", "clearance [cm]", "covered [%]"};
+  if (goals) head.emplace_back("goals");
+  if (scored) head.emplace_back("MAE [cm]");
+  head.insert(head.end(), {"x real time", "step p99 [ms]"});
+  head.emplace_back("why");
+  Table table(head);
+  table.words({1, head.size() - 1});
+  for (const ExplorationRun& run : report.runs) {
+    std::vector<std::string> row{std::to_string(run.seed),
+                                 std::string(name(run.status)),
+                                 fmt::format("{:.0f}", run.time_s),
+                                 fmt::format("{:.1f}", run.travelled_m),
+                                 std::to_string(run.collisions),
+                                 fmt::format("{:.0f}", 100.0 * run.least_clearance_m),
+                                 fmt::format("{:.1f}", 100.0 * covered(run))};
+    if (goals) row.push_back(fmt::format("{} of {}", goals_reached(run), run.goal_distance_m.size()));
+    if (scored) row.push_back(run.score ? fmt::format("{:.1f}", 100.0 * run.score->mae_m) : "-");
+    row.push_back(fmt::format("{:.0f}", speed(run)));
+    row.push_back(fmt::format("{:.2f}", 1e3 * run.steering_p99_s));
+    row.push_back(run.reason);
+    table.add(row);
+  }
+  return fmt::format("{}: {}\n{}", report.request->scene.name, report.request->strategy, table.text());
+}
+
+std::string exploration_json(const ExplorationReport& report) {
+  Json runs = Json::array();
+  for (const ExplorationRun& run : report.runs) runs.push_back(json_of(run));
+  const Json json{{"written_by", "echoarc"},
+                  {"version", ECHOARC_VERSION},
+                  {"command", report.command},
+                  {"scene", report.request->scene.name},
+                  {"strategy", report.request->strategy},
+                  {"method", report.request->maps.method},
+                  {"runs", std::move(runs)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<void> write_exploration(const std::filesystem::path& folder, const ExplorationReport& report, bool logs) {
+  if (Result<void> written = write_text(folder / "runs.csv", runs_csv(report.runs)); !written) return written;
+  if (Result<void> written = write_text(folder / "coverage.csv", coverage_csv(report.runs)); !written) return written;
+  if (Result<void> written = write_text(folder / io::run_report_name, exploration_json(report)); !written)
+    return written;
+  for (const ExplorationRun& run : report.runs)
+    if (Result<void> written = write_run(folder, report, run, logs); !written) return written;
+  return {};
+}
+
+}  // namespace echoarc::cli
