@@ -35,6 +35,7 @@ start = [0, 0, 0]
 
 [sonar]
 outlier_share = 0.0
+floor_share = 0.0
 """  # nothing in the way, nor heard to be: what brakes here is the dead-man
 CAUSES = ("socket closed", "process killed", "silent")
 
