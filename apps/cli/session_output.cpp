@@ -28,7 +28,8 @@ io::RunReport report_of(const live::Mapper& mapper) {
 }
 
 io::MethodReport method_report(const live::RunningMethod& method, const MapExport& map) {
-  return {.name = method.choice.name,
+  return {.name = method.id(),
+          .method = method.choice.name,
           .options = method.options,
           .counters = method.counters,
           .tallies = {},
@@ -51,14 +52,14 @@ Result<void> write_session_maps(const std::filesystem::path& folder, const live:
   for (const Odometry& pose : mapper.path()) path.push_back(pose.T_world_robot.position);
   io::RunReport report = report_of(mapper);
   for (const live::RunningMethod& method : mapper.methods()) {
-    const Result<MapExport> map = mapper.final_map(method.choice.name);
+    const Result<MapExport> map = mapper.final_map(method.id());
     if (!map) {
-      warn(fmt::format("{}: {}", method.choice.name, map.error().message));
+      warn(fmt::format("{}: {}", method.id(), map.error().message));
       continue;
     }
     const std::string title = fmt::format("{}: {}", folder.filename().string(), find_method(method.choice.name)->title);
     if (const Result<void> written =
-            io::write_method_output(folder / method.choice.name, *map, {.title = title, .path = path});
+            io::write_method_output(folder / method.id(), *map, {.title = title, .path = path});
         !written)
       return written;
     report.methods.push_back(method_report(method, *map));

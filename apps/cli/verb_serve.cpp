@@ -149,9 +149,9 @@ Result<server::RoomSetup> open_builtin_scene(const server::MappingChoice& mappin
   return server::make_scene_room(room, mapping, executor());
 }
 
-/// A log that came over the network, read under a name that did not.
+/// A log that came over the network, read under a name that did not. `title` is shown and nothing else.
 Result<server::RoomSetup> open_received_log(const server::MappingChoice& mapping, const std::string& bytes,
-                                            const std::string& room_name) {
+                                            const std::string& title, const std::string& room_name) {
   const server::ScratchFolder folder;
   const fs::path path = folder.path() / "log";
   std::ofstream file(path, std::ios::binary);
@@ -166,7 +166,7 @@ Result<server::RoomSetup> open_received_log(const server::MappingChoice& mapping
       error.where.replace(at, path.string().size(), "log");
     return error;
   }
-  log->source = "received log";
+  log->source = title.empty() ? "received log" : title;
   return server::make_log_room(room_name, std::move(*log), 1.0, mapping, executor());
 }
 
@@ -174,8 +174,9 @@ server::RoomOpeners openers_of(const Start& start) {
   return {
       .scene = [mapping = start.mapping](const std::string& scene,
                                          const std::string& room) { return open_builtin_scene(mapping, scene, room); },
-      .log = [mapping = start.mapping](const std::string& log,
-                                       const std::string& room) { return open_received_log(mapping, log, room); },
+      .log = [mapping = start.mapping](
+                 const std::string& log, const std::string& title,
+                 const std::string& room) { return open_received_log(mapping, log, title, room); },
       .map_file = &server::map_file,
       .run_report = [](const live::Mapper& mapper) { return session_report(mapper); },
       .log_parts =
@@ -213,7 +214,7 @@ bool is_loopback(std::string_view address) {
 void print_start(const ServeArguments& arguments, const Start& start, std::uint16_t port, const std::string& token) {
   const live::SourceDescription& source = start.room.source->description();
   std::vector<std::string> methods;
-  for (const live::MethodChoice& choice : start.mapping.methods) methods.push_back(choice.name);
+  for (const live::MethodChoice& choice : start.mapping.methods) methods.push_back(choice.key());
   const std::string host =
       arguments.listen.find(':') != std::string::npos ? "[" + arguments.listen + "]" : arguments.listen;
   const std::string page = fmt::format("http://{}:{}/", host, port);

@@ -4,7 +4,7 @@
 #include "server/access.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <charconv>
 
 namespace echoarc::server {
 namespace {
@@ -57,6 +57,23 @@ bool is_own_origin(std::string_view origin, std::string_view host) {
 std::string_view bearer(std::string_view authorization) {
   constexpr std::string_view scheme = "Bearer ";
   return authorization.starts_with(scheme) ? authorization.substr(scheme.size()) : std::string_view{};
+}
+
+std::string shown_name(std::string_view encoded) {
+  constexpr std::size_t longest = 80;
+  std::string name;
+  for (std::size_t i = 0; i < encoded.size(); ++i) {
+    unsigned code = static_cast<unsigned char>(encoded[i]);
+    if (encoded[i] == '%' && i + 2 < encoded.size() &&
+        std::from_chars(encoded.data() + i + 1, encoded.data() + i + 3, code, 16).ptr == encoded.data() + i + 3)
+      i += 2;
+    if (code >= 0x20 && code != 0x7F) name += static_cast<char>(code);
+  }
+  name.erase(0, name.find_last_of("/\\") + 1);  // none: everything stays
+  if (name.size() <= longest) return name;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;  // no half of a character
+  return name.substr(0, end);
 }
 
 }  // namespace echoarc::server

@@ -27,4 +27,8 @@ struct Target {
 /// The token of "Bearer TOKEN", or empty.
 [[nodiscard]] std::string_view bearer(std::string_view authorization);
 
+/// A file's name that a client sent percent-encoded, as it may be shown: without folders and control characters, at the
+/// most 80 bytes. Not a name to open.
+[[nodiscard]] std::string shown_name(std::string_view encoded);
+
 }  // namespace echoarc::server

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t max_name = 64;
 constexpr std::size_t max_list = 32;
+constexpr std::size_t max_options = 64;
 constexpr double max_coordinate_m = 1e5;
 constexpr double max_time_s = 1e12;
 constexpr int max_depth = 4;
@@ -24,6 +25,7 @@ constexpr int max_depth = 4;
 MessageId id(MessageFields& fields) {
   return fields.integer("id", 1);
 }
+/// The id of a method that runs, or is to.
 std::string method(MessageFields& fields) {
   return fields.text("method", max_name);
 }
@@ -44,8 +46,11 @@ ClientMessage mode(MessageFields& f) {
   if (message.x_m.has_value() != message.y_m.has_value()) f.fault("of \"x\" and \"y\" it has one alone");
   return message;
 }
+ClientMessage method_add(MessageFields& f) {
+  return MethodAdd{method(f), f.optional_text("name", max_name), f.optional_options("options", max_options)};
+}
 ClientMessage options(MessageFields& f) {
-  return OptionsMessage{method(f), f.options("options", 64)};
+  return OptionsMessage{method(f), f.options("options", max_options)};
 }
 ClientMessage playback(MessageFields& f) {
   return Playback{f.optional_boolean("playing"), f.optional_number("speed", 0.1, 100.0),
@@ -80,7 +85,7 @@ constexpr std::array<Reader, std::variant_size_v<ClientMessage>> readers{{
     {"answer", [](MessageFields& f) -> ClientMessage { return Answer{f.boolean("accept")}; }},
     {"drive", &drive},
     {"mode", &mode},
-    {"method_add", [](MessageFields& f) -> ClientMessage { return MethodAdd{method(f)}; }},
+    {"method_add", &method_add},
     {"method_remove", [](MessageFields& f) -> ClientMessage { return MethodRemove{method(f)}; }},
     {"options", &options},
     {"sensor",

@@ -49,7 +49,9 @@ struct ModeMessage {
   std::optional<double> y_m;
 };
 struct MethodAdd {
-  std::string method;
+  std::string method;                ///< id that it shall have
+  std::optional<std::string> name;   ///< in the catalogue; none: that is its id, too
+  std::optional<OptionMap> options;  ///< what differs from the defaults
 };
 struct MethodRemove {
   std::string method;

@@ -133,13 +133,16 @@ void HttpSession::read_body() {
 
 void HttpSession::on_upload() {
   stream_.expires_after(upload_timeout);
-  core_.open_log(std::move(parser_->get().body()), [self = shared_from_this()](const Result<std::string>& room) {
-    if (room) return self->answer(Status::ok, json_type, text_of({{"room", *room}}));
-    const bool full = room.error().code == ErrorCode::too_large;
-    const std::string where = room.error().where.empty() ? "" : room.error().where + ": ";
-    self->refuse(full ? Status::service_unavailable : Status::bad_request, where + room.error().message,
-                 room.error().remedy);
-  });
+  // A name to be shown; the file is kept under another.
+  std::string title = shown_name(view(parser_->get()["X-File-Name"]));
+  core_.open_log(std::move(parser_->get().body()), std::move(title),
+                 [self = shared_from_this()](const Result<std::string>& room) {
+                   if (room) return self->answer(Status::ok, json_type, text_of({{"room", *room}}));
+                   const bool full = room.error().code == ErrorCode::too_large;
+                   const std::string where = room.error().where.empty() ? "" : room.error().where + ": ";
+                   self->refuse(full ? Status::service_unavailable : Status::bad_request, where + room.error().message,
+                                room.error().remedy);
+                 });
 }
 
 void HttpSession::route() {
@@ -234,11 +237,11 @@ void HttpSession::get_map(std::string_view file) {
   const std::size_t dot = std::min(file.rfind('.'), file.size());
   const auto kind = std::ranges::find(kinds, file.substr(std::min(dot + 1, file.size())), &Kind::extension);
   const std::shared_ptr<Room> room = asked_room();
-  const MethodEntry* method = find_method(file.substr(0, dot));
-  if (kind == kinds.end() || !room || method == nullptr)
+  std::string id(file.substr(0, dot));
+  if (kind == kinds.end() || !room || !live::is_method_id(id))
     return refuse(Status::not_found, "there is no such map", "/api/map/METHOD.png, .pgm, .yaml or .csv");
   room->with_mapper([self = shared_from_this(), post = room->post(), room_name = room->name(), kind = *kind,
-                     name = std::string(method->name)](MappingLoop::Access& access) {
+                     name = std::move(id)](MappingLoop::Access& access) {
     auto map = std::make_shared<Result<MapExport>>(access.mapper.final_map(name));
     std::vector<Vec2> path;
     for (const Odometry& pose : access.mapper.path()) path.push_back(pose.T_world_robot.position);

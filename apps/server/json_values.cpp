@@ -3,6 +3,7 @@
 
 #include "server/json_values.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -40,6 +41,11 @@ constexpr std::array<Wording, 18> wordings{{
     {"consensus", "Tangent consensus", "asks neighbouring arcs which wall both touch; few points lie off a wall."},
     {"consensus_evidence", "Consensus grid", "draws every echo where its neighbours place it; walls are thin."},
 }};
+
+const Wording* wording_of(std::string_view method) {
+  const auto* found = std::ranges::find(wordings, method, &Wording::method);
+  return found == wordings.end() ? nullptr : found;
+}
 
 }  // namespace
 
@@ -80,15 +86,25 @@ Json json_of(const OptionSpec& option) {
 }
 
 Json json_of(const MethodEntry& method) {
-  std::string_view short_name = method.title;
-  std::string_view look = method.summary;
-  for (const Wording& wording : wordings)
-    if (wording.method == method.name) short_name = wording.short_name, look = wording.look;
+  const Wording* wording = wording_of(method.name);
+  const std::string_view short_name = wording != nullptr ? wording->short_name : method.title;
+  const std::string_view look = wording != nullptr ? wording->look : method.summary;
   Json options = Json::array();
   for (const OptionSpec& option : method.specs()) options.push_back(json_of(option));
   return {
       {"name", method.name},     {"title", method.title},         {"short", short_name}, {"summary", method.summary},
       {"source", method.source}, {"options", std::move(options)}, {"look", look}};
+}
+
+std::string label_of(const live::MethodChoice& choice) {
+  const Wording* wording = wording_of(choice.name);
+  std::string name(wording != nullptr ? wording->short_name : choice.name);
+  const std::string& id = choice.key();
+  if (id == choice.name) return name;
+  const bool own = id.starts_with(choice.name) && id.size() > choice.name.size() + 1;
+  std::string rest = own ? id.substr(choice.name.size() + 1) : id;
+  std::ranges::replace_if(rest, [](char c) { return c == '-' || c == '_'; }, ' ');
+  return name + (own ? " " : ": ") + rest;
 }
 
 }  // namespace echoarc::server

@@ -11,7 +11,7 @@
 
 #include "echoarc/core/options.hpp"
 #include "echoarc/core/pose2.hpp"
-#include "echoarc/live/reading_log.hpp"
+#include "echoarc/live/mapper.hpp"
 #include "echoarc/mapping/catalog.hpp"
 
 /// Values of messages as JSON. What is not finite is null: JSON has no word for it.
@@ -48,6 +48,8 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_of(const OptionSpec& option);
 /// `Method`, with the name that people read and what they should look for.
 [[nodiscard]] Json json_of(const MethodEntry& method);
+/// How people are told of a running method: its short name, and what its id says beyond the method's.
+[[nodiscard]] std::string label_of(const live::MethodChoice& choice);
 
 /// The text of a message. What is no UTF-8 (a name from a log, say) is replaced.
 [[nodiscard]] inline std::string text_of(const Json& message) {

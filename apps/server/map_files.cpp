@@ -3,6 +3,7 @@
 
 #include "server/map_files.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -16,10 +17,10 @@ Result<std::string> map_file(const MapExport& map, const std::string& method, st
   if (folder.path().empty())
     return Error{ErrorCode::unwritable, "no temporary folder can be made", "", "free some space in the system's"};
   const io::MethodPicture picture{.title = method, .path = path};
-  if (const Result<void> written = io::write_method_output(folder.path() / method, map, picture); !written)
-    return written.error();
+  const std::filesystem::path files = folder.path() / "map";
+  if (const Result<void> written = io::write_method_output(files, map, picture); !written) return written.error();
   const std::string name = kind == "csv" ? "points.csv" : "map." + std::string(kind);
-  const std::ifstream file(folder.path() / method / name, std::ios::binary);
+  const std::ifstream file(files / name, std::ios::binary);
   if (!file) return Error{ErrorCode::not_found, "the map is empty", "", "wait for the first echoes"};
   std::ostringstream bytes;
   bytes << file.rdbuf();

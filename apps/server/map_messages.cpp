@@ -149,7 +149,9 @@ std::string methods_message(const live::Mapper& mapper) {
   constexpr std::array states{"ok", "recomputing", "failed"};
   Json running = Json::array();
   for (const live::RunningMethod& method : mapper.methods())
-    running.push_back({{"method", method.choice.name},
+    running.push_back({{"method", method.id()},
+                       {"name", method.choice.name},
+                       {"label", label_of(method.choice)},
                        {"options", json_of(method.options)},
                        {"state", states.at(static_cast<std::size_t>(method.state))},
                        {"reason", method.reason},
@@ -159,10 +161,8 @@ std::string methods_message(const live::Mapper& mapper) {
 }
 
 std::string recompute_message(const live::RunningMethod& method) {
-  return text_of({{"type", "recompute"},
-                  {"method", method.choice.name},
-                  {"done", method.recomputed},
-                  {"total", method.recompute_total}});
+  return text_of(
+      {{"type", "recompute"}, {"method", method.id()}, {"done", method.recomputed}, {"total", method.recompute_total}});
 }
 
 std::string scores_message(const live::Scores& scores) {
@@ -217,11 +217,11 @@ std::string history_message(const live::Mapper& mapper, const live::ScoreKeeper&
     Json errors = Json::array();
     for (const live::Scores& entry : scores.history())
       for (const live::MethodScore& score : entry.methods)
-        if (score.method == method.choice.name) {
+        if (score.method == method.id()) {
           times.push_back(entry.time_s);
           errors.push_back(json_of(score.mae_m));
         }
-    series.push_back({{"method", method.choice.name}, {"t", std::move(times)}, {"mae_m", std::move(errors)}});
+    series.push_back({{"method", method.id()}, {"t", std::move(times)}, {"mae_m", std::move(errors)}});
   }
   const auto bins = mapper.timeline();
   return text_of({{"type", "history"},
@@ -232,7 +232,7 @@ std::string history_message(const live::Mapper& mapper, const live::ScoreKeeper&
                   {"scores", std::move(series)}});
 }
 
-std::string explanation_message(MessageId id, const live::Explanation& explanation) {
+std::string explanation_message(MessageId id, std::optional<std::uint32_t> slot, const live::Explanation& explanation) {
   Json support = Json::array();
   for (const live::Support& one : explanation.support) support.push_back(support_of(one));
   Json unused = Json::array();
@@ -251,7 +251,7 @@ std::string explanation_message(MessageId id, const live::Explanation& explanati
                   {"sentence", explanation.sentence},
                   {"x", explanation.position.x},
                   {"y", explanation.position.y},
-                  {"slot", Json()},
+                  {"slot", slot ? Json(*slot) : Json()},
                   {"label", explanation.label},
                   {"bound_m", json_of(explanation.bound_m)},
                   {"probability", json_of(explanation.probability)},
@@ -280,7 +280,7 @@ std::string stepped_message(MessageId id, const live::Step& step, double tempera
                   {"reason", step.reason},
                   {"time_of_flight_s", heard_m ? Json(2.0 * *heard_m / speed_m_s) : Json()},
                   {"speed_of_sound_m_s", speed_m_s},
-                  {"true_pose", Json()},
+                  {"true_pose", json_of(step.T_world_true)},
                   {"arc", step.arc ? arc_limits(*step.arc) : Json()},
                   {"cell_m", json_of(step.cell_m)},
                   {"unit", step.unit},

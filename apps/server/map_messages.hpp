@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,7 +25,9 @@ namespace echoarc::server {
 [[nodiscard]] std::string timeline_message(std::span<const live::TimelineBin> before,
                                            std::span<const live::TimelineBin> now);
 [[nodiscard]] std::string history_message(const live::Mapper& mapper, const live::ScoreKeeper& scores);
-[[nodiscard]] std::string explanation_message(MessageId id, const live::Explanation& explanation);
+/// `slot`: that was asked about; none: a place was.
+[[nodiscard]] std::string explanation_message(MessageId id, std::optional<std::uint32_t> slot,
+                                              const live::Explanation& explanation);
 /// `true_pose`: of the robot when the ping was fired, where it is known.
 [[nodiscard]] std::string stepped_message(MessageId id, const live::Step& step, double temperature_k);
 

@@ -51,7 +51,16 @@ void MappingLoop::restart() {
   const std::lock_guard lock(mutex_);
   inbox_.records.clear();
   inbox_.waiting = 0;
+  inbox_.ended = false;
   inbox_.restart = true;
+}
+
+void MappingLoop::end_of_records() {
+  {
+    const std::lock_guard lock(mutex_);
+    inbox_.ended = true;
+  }
+  wake_.notify_one();
 }
 
 bool MappingLoop::crowded() {
@@ -73,7 +82,7 @@ void MappingLoop::catch_up(std::map<std::string, std::uint32_t> since, std::func
     CatchUp caught{methods_version_, methods_, {}};
     const auto methods = access.mapper.methods();
     for (std::size_t i = 0; i < methods.size(); ++i)
-      if (const auto found = since.find(methods[i].choice.name); found != since.end())
+      if (const auto found = since.find(methods[i].id()); found != since.end())
         caught.deltas.push_back(delta(methods[i], i, found->second));
     answer(std::move(caught));
   });
@@ -83,6 +92,7 @@ live::Evidence MappingLoop::evidence_of(const live::Mapper& mapper, const live::
   live::Evidence evidence;
   evidence.readings = mapper.readings();
   evidence.walls = source.walls;
+  evidence.truth = mapper.truth();
   evidence.sensors_off = mapper.sensors_off();
   for (const live::RunningMethod& method : mapper.methods()) {
     evidence.methods.push_back(method.choice);
@@ -98,7 +108,9 @@ void MappingLoop::work() {
     Inbox inbox;
     {
       std::unique_lock lock(mutex_);
-      const auto ready = [&] { return closing_ || !inbox_.records.empty() || !inbox_.jobs.empty() || inbox_.restart; };
+      const auto ready = [&] {
+        return closing_ || !inbox_.records.empty() || !inbox_.jobs.empty() || inbox_.restart || inbox_.ended;
+      };
       if (!more) wake_.wait_for(lock, std::chrono::milliseconds(20), ready);
       if (closing_) return;
       inbox = std::exchange(inbox_, {});
@@ -126,6 +138,7 @@ void MappingLoop::take(Inbox& inbox) {
       mapper_.push(record);
       scores_.push(record);
     }
+  if (inbox.ended) mapper_.end_of_records();
   for (const auto& job : inbox.jobs) {
     Access access{mapper_, scores_};
     job(access);
@@ -158,7 +171,7 @@ void MappingLoop::refresh_maps(Publication& publication) {
   deltas_.clear();
   const auto methods = mapper_.methods();
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    std::uint32_t& from = published_[methods[i].choice.name];
+    std::uint32_t& from = published_[methods[i].id()];
     deltas_.push_back(delta(methods[i], i, from));
     from = deltas_.back().to;
     if (methods[i].state == live::RunningMethod::State::recomputing)
@@ -185,7 +198,7 @@ void MappingLoop::tell_each_second(Publication& publication, double now_s) {
 
 MapDelta MappingLoop::delta(const live::RunningMethod& method, std::size_t index, std::uint32_t since) const {
   const live::MapStore& store = method.store;
-  MapDelta delta{method.choice.name, since, store.sequence(), nullptr, nullptr};
+  MapDelta delta{method.id(), since, store.sequence(), nullptr, nullptr};
   if (since == delta.to && since != 0) return delta;
   FrameHead head{.method = static_cast<std::uint8_t>(index), .sequence = delta.to};
   head.kind = FrameKind::tiles;
@@ -213,7 +226,7 @@ void MappingLoop::note_methods() {
   std::string text = methods_message(mapper_);
   if (text == methods_text_) return;
   for (auto it = published_.begin(); it != published_.end();) {
-    const auto runs = [&](const live::RunningMethod& method) { return method.choice.name == it->first; };
+    const auto runs = [&](const live::RunningMethod& method) { return method.id() == it->first; };
     it = std::ranges::any_of(mapper_.methods(), runs) ? std::next(it) : published_.erase(it);
   }
   methods_text_ = std::move(text);

@@ -22,7 +22,7 @@ namespace echoarc::server {
 
 /// What changed of one method's map between two sequence numbers; null frames: nothing.
 struct MapDelta {
-  std::string method;
+  std::string method;  ///< its id
   std::uint32_t from = 0;
   std::uint32_t to = 0;
   SharedFrame tiles;
@@ -62,6 +62,8 @@ class MappingLoop {
 
   void add(std::vector<live::Record>&& records);
   void restart();
+  /// Nothing follows what was added, unless all starts anew: pings that wait for more are decided.
+  void end_of_records();
   [[nodiscard]] bool crowded();
   /// Does something with the mapper on its thread, between records. After `changed` the methods are told anew.
   struct Access {
@@ -85,6 +87,7 @@ class MappingLoop {
     std::vector<std::vector<live::Record>> records;
     std::size_t waiting = 0;
     bool restart = false;  ///< before `records`
+    bool ended = false;    ///< after them
     std::vector<std::function<void(Access&)>> jobs;
   };
 

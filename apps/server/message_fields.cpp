@@ -51,6 +51,11 @@ std::string MessageFields::text_or_empty(const char* key, std::size_t max_length
   return object_.contains(key) ? text(key, max_length) : std::string();
 }
 
+std::optional<std::string> MessageFields::optional_text(const char* key, std::size_t max_length) {
+  if (!object_.contains(key)) return std::nullopt;
+  return text(key, max_length);
+}
+
 std::optional<bool> MessageFields::optional_boolean(const char* key) {
   const nlohmann::json* value = find(key, false);
   if (value == nullptr) return std::nullopt;
@@ -137,6 +142,11 @@ OptionMap MessageFields::options(const char* key, std::size_t max_count) {
       fault(fmt::format("option \"{:.40}\" is neither number, text, true nor false", name));
   }
   return options;
+}
+
+std::optional<OptionMap> MessageFields::optional_options(const char* key, std::size_t max_count) {
+  if (!object_.contains(key)) return std::nullopt;
+  return options(key, max_count);
 }
 
 Result<void> MessageFields::finish(std::string_view type) {

@@ -27,6 +27,7 @@ class MessageFields {
 
   std::string text(const char* key, std::size_t max_length);
   std::string text_or_empty(const char* key, std::size_t max_length);
+  std::optional<std::string> optional_text(const char* key, std::size_t max_length);
   bool boolean(const char* key);
   std::optional<bool> optional_boolean(const char* key);
   double number(const char* key, double min, double max);
@@ -38,6 +39,7 @@ class MessageFields {
   std::optional<std::vector<std::string>> optional_texts(const char* key, std::size_t max_count,
                                                          std::size_t max_length);
   OptionMap options(const char* key, std::size_t max_count);
+  std::optional<OptionMap> optional_options(const char* key, std::size_t max_count);
 
   void fault(std::string what);
   /// The first fault, or that of a key that is not known.

@@ -46,6 +46,7 @@ void Room::start(RoomSetup setup) {
   attended_ = setup.attended;
   source_ = setup.source->description();
   drivable_ = setup.source->drivable() != nullptr;
+  planned_rate_hz_ = setup.planned_rate_hz;
   log_ = std::move(setup.log);
   questions_ = std::make_unique<Worker>(most_questions);
   const std::weak_ptr<Room> self = weak_from_this();
@@ -59,12 +60,21 @@ void Room::start(RoomSetup setup) {
   mapping_ = std::make_unique<MappingLoop>(
       std::move(setup.mapper), std::move(setup.scores),
       MappingLoop::Host{told(&Room::on_published), [log = log_] { return log_json(log.get()); }});
+  const auto ended = std::make_shared<bool>(false);  // of the loop's thread alone
   ControlLoop::Host host{[log = log_, mapping = mapping_.get()](std::vector<live::Record>&& records) {
                            if (log)
                              for (const live::Record& record : records) log->add(record);
                            mapping->add(std::move(records));
                          },
-                         [mapping = mapping_.get()] { mapping->restart(); }, told(&Room::on_tick),
+                         [mapping = mapping_.get(), ended] {
+                           *ended = false;
+                           mapping->restart();
+                         },
+                         [mapping = mapping_.get(), ended, tell = told(&Room::on_tick)](auto status) {
+                           const bool ends = status->ended || !status->broken.empty();
+                           if (ends && !std::exchange(*ended, ends)) mapping->end_of_records();
+                           tell(std::move(status));
+                         },
                          [mapping = mapping_.get()] { return mapping->crowded(); }};
   control_ =
       std::make_unique<ControlLoop>(std::move(setup.source), live::ControlOptions{}, setup.speed, std::move(host));
@@ -310,14 +320,18 @@ void Room::change_map(Viewer& viewer, std::function<Result<void>(live::Mapper&)>
 }
 
 void Room::on(Viewer& viewer, const MethodAdd& message) {
+  live::MethodChoice choice{message.name.value_or(message.method), message.options.value_or(OptionMap{}),
+                            message.method};
+  Json setup{{"type", "setup"}, {"add", choice.id}};
+  if (choice.id != choice.name) setup["name"] = choice.name;
+  if (!choice.options.empty()) setup["options"] = json_of(choice.options);
   change_map(
-      viewer, [name = message.method](live::Mapper& mapper) { return mapper.add_method({name, {}}); },
-      text_of({{"type", "setup"}, {"add", message.method}}));
+      viewer, [choice = std::move(choice)](live::Mapper& mapper) { return mapper.add_method(choice); }, text_of(setup));
 }
 
 void Room::on(Viewer& viewer, const MethodRemove& message) {
   change_map(
-      viewer, [name = message.method](live::Mapper& mapper) { return mapper.remove_method(name); },
+      viewer, [id = message.method](live::Mapper& mapper) { return mapper.remove_method(id); },
       text_of({{"type", "setup"}, {"remove", message.method}}));
 }
 
@@ -338,9 +352,11 @@ void Room::on(Viewer& viewer, const Playback& message) {
   if (!control_ || kind_ != "log")
     return refuse(viewer, std::nullopt,
                   {ErrorCode::unsupported, "a running robot cannot be played", "", "hold the view instead"});
+  // Who pauses and seeks wants to be there, not where playing goes on to in between.
+  if (message.playing == false) control_->play(false);
   if (message.speed) control_->set_speed(*message.speed);
   if (message.seek_s) control_->seek(*message.seek_s);
-  if (message.playing) control_->play(*message.playing);
+  if (message.playing == true) control_->play(true);
 }
 
 void Room::on(Viewer& viewer, const OpenScene& message) {

@@ -32,8 +32,9 @@ struct RoomSetup {
   live::ScoreKeeper scores;
   std::unique_ptr<SessionWriter> log;  ///< null: nothing is received that is not kept already
   double speed = 1.0;
-  bool attended = false;    ///< the robot stands when nobody watches
-  bool starts_tour = true;  ///< if there is one
+  std::optional<double> planned_rate_hz = std::nullopt;  ///< pings of each sensor a second; none: no plan is known
+  bool attended = false;                                 ///< the robot stands when nobody watches
+  bool starts_tour = true;                               ///< if there is one
 };
 
 /// Who stopped the robot last.
@@ -63,6 +64,7 @@ class Room : public std::enable_shared_from_this<Room> {
   [[nodiscard]] const std::string& kind() const { return kind_; }
   [[nodiscard]] const live::SourceDescription& source() const { return source_; }
   [[nodiscard]] bool drivable() const { return drivable_; }
+  [[nodiscard]] std::optional<double> planned_rate_hz() const { return planned_rate_hz_; }
   [[nodiscard]] std::vector<std::string> modes() const;
   [[nodiscard]] const std::set<Viewer*>& viewers() const { return viewers_; }
   [[nodiscard]] const SharedFrame& state() const { return state_; }
@@ -136,6 +138,7 @@ class Room : public std::enable_shared_from_this<Room> {
   std::string kind_;
   bool attended_ = false;
   bool drivable_ = false;
+  std::optional<double> planned_rate_hz_;
   live::SourceDescription source_;
   std::set<Viewer*> viewers_;
   DrivingRights rights_;

@@ -22,8 +22,10 @@ namespace {
 /// A session's own first record: what is needed to start the same again.
 std::string start_record(const SceneRoom& room, const MappingChoice& mapping) {
   Json methods = Json::array();
-  for (const live::MethodChoice& choice : mapping.methods)
+  for (const live::MethodChoice& choice : mapping.methods) {
     methods.push_back({{"name", choice.name}, {"options", json_of(choice.options)}});
+    if (choice.key() != choice.name) methods.back()["id"] = choice.id;
+  }
   return text_of({{"type", "setup"},
                   {"scene", room.scene_name},
                   {"seed", room.seed},
@@ -56,7 +58,11 @@ OptionMap options_in(const Json& object, const char* key) {
 /// A setup record that changed the maps on the way, applied again. What is none, or cannot be applied, is passed over:
 /// it was refused the first time, too, or comes from a newer version.
 void apply_setup(const Json& setup, live::Mapper& mapper) {
-  if (setup.contains("add")) (void)mapper.add_method({text_in(setup, "add"), {}});
+  if (setup.contains("add")) {
+    const std::string id = text_in(setup, "add");
+    (void)mapper.add_method({setup.contains("name") ? text_in(setup, "name") : id, options_in(setup, "options"), id});
+    return;
+  }
   if (setup.contains("remove")) (void)mapper.remove_method(text_in(setup, "remove"));
   if (setup.contains("options")) (void)mapper.set_options(text_in(setup, "method"), options_in(setup, "options"));
   const auto sensor = setup.find("sensor");
@@ -102,6 +108,13 @@ Result<void> keep_log(RoomSetup& setup, const SceneRoom& room, const MappingChoi
   return {};
 }
 
+/// Sensors fire one after the other. Those that listen all the time hear every firing.
+std::optional<double> planned_rate_hz(const sim::Scene& scene) {
+  const double firings = scene.sonar.listening == sim::Listening::all ? 1.0 : double(scene.robot.sensors.size());
+  if (!(firings > 0.0)) return std::nullopt;
+  return 1.0 / (scene.sonar.interval_s * firings);
+}
+
 /// Where a session ended.
 struct Ending {
   double time_s = 0.0;
@@ -134,6 +147,7 @@ Result<RoomSetup> make_scene_room(const SceneRoom& room, const MappingChoice& ma
   Result<RoomSetup> setup = furnish(room.name, "scene", std::move(*source), mapping, executor);
   if (!setup) return setup;
   setup->speed = room.speed;
+  setup->planned_rate_hz = planned_rate_hz(room.scene);
   setup->attended = room.attended;
   if (!room.session.empty())
     if (const Result<void> kept = keep_log(*setup, room, mapping, true); !kept) return kept.error();
@@ -169,7 +183,8 @@ Result<SessionStart> read_session_start(const std::filesystem::path& session) {
     if (const auto methods = setup->find("methods"); methods != setup->end() && methods->is_array())
       for (const Json& method : *methods)
         if (method.is_object())
-          start->mapping.methods.push_back({text_in(method, "name"), options_in(method, "options")});
+          start->mapping.methods.push_back(
+              {text_in(method, "name"), options_in(method, "options"), text_in(method, "id")});
   });
   if (!read) return read.error();
   if (fault) return *fault;
@@ -204,6 +219,7 @@ Result<RoomSetup> resume_scene_room(const SceneRoom& room, const MappingChoice& 
   if (!source) return source.error();
   setup->source = std::move(*source);
   setup->speed = room.speed;
+  setup->planned_rate_hz = planned_rate_hz(room.scene);
   setup->attended = room.attended;
   if (const Result<void> kept = keep_log(*setup, room, mapping, false); !kept) return kept.error();
   return setup;

@@ -36,7 +36,8 @@ Json source_of(const Room& room) {
           {"walls", std::move(walls)}};
 }
 
-Json robot_of(const RobotDescription& robot) {
+Json robot_of(const Room& room) {
+  const RobotDescription& robot = room.source().robot;
   Json sensors = Json::array();
   for (const Sensor& sensor : robot.sensors.sensors())
     sensors.push_back({{"id", sensor.id},
@@ -44,7 +45,7 @@ Json robot_of(const RobotDescription& robot) {
                        {"beam_width", sensor.model.beam_width.rad()},
                        {"range_min_m", sensor.model.range_min_m},
                        {"range_max_m", json_of(sensor.model.range_max_m)},
-                       {"rate_hz", Json()}});
+                       {"rate_hz", json_of(room.planned_rate_hz())}});
   return {{"name", robot.name}, {"radius_m", robot.radius_m}, {"sensors", std::move(sensors)}};
 }
 
@@ -72,7 +73,7 @@ std::string welcome_message(const ServerFacts& facts, const Room& room, const Vi
                   {"session", facts.session},
                   {"you", {{"viewer", viewer.id}, {"name", viewer.name}, {"may_drive", viewer.may_drive}}},
                   {"source", source_of(room)},
-                  {"robot", robot_of(room.source().robot)},
+                  {"robot", robot_of(room)},
                   {"catalogue", std::move(methods)},
                   {"modes", room.modes()},
                   {"scenes", std::move(scenes)},
@@ -108,7 +109,7 @@ std::string state_message(const RobotStatus& status, const DrivingRights& rights
                   {"true_pose", json_of(status.T_world_true)},
                   {"v", status.velocity.forward_m_s},
                   {"w", status.velocity.turn_per_s.rad()},
-                  {"mode", name(control.mode)},
+                  {"mode", mode_name(control)},
                   {"reason", reason},
                   {"goal", json_of(control.goal)},
                   {"driver", rights.driver() ? Json(*rights.driver()) : Json()},

@@ -51,14 +51,14 @@ Error no_such_method(const std::string& method) {
 /// Place of a slot in the newest export of a method.
 Result<std::size_t> place_of(const live::Mapper& mapper, const std::string& method, std::uint32_t slot) {
   for (const live::RunningMethod& running : mapper.methods())
-    if (running.choice.name == method) {
+    if (running.id() == method) {
       if (const auto place = running.store.index_of(slot)) return *place;
       return Error{ErrorCode::not_found, "that point is no longer on the map", "", "choose another point"};
     }
   return no_such_method(method);
 }
 
-/// Map frames that answer a question.
+/// Map frames that answer a question. `index`: of the method among those that were asked about.
 void add_maps(std::vector<SharedFrame>& frames, MessageId id, std::size_t index, const live::MethodChoice& choice,
               const MapExport& map, const live::ReadingLog& readings) {
   live::MapStore store;
@@ -76,13 +76,17 @@ void add_maps(std::vector<SharedFrame>& frames, MessageId id, std::size_t index,
   if (SharedFrame points = encode_points(head, store, 0)) frames.push_back(std::move(points));
 }
 
+const live::MethodChoice* choice_of(const live::Evidence& evidence, const std::string& id) {
+  const auto found = std::ranges::find(evidence.methods, id, &live::MethodChoice::key);
+  return found == evidence.methods.end() ? nullptr : &*found;
+}
+
 Frames answer_step(const live::Evidence& evidence, const StepMessage& message, double temperature_k) {
   const Result<live::Step> step = live::step_ping(evidence, message.method, message.ping);
   if (!step) return step.error();
   std::vector<SharedFrame> frames;
-  for (std::size_t i = 0; i < evidence.methods.size(); ++i)
-    if (evidence.methods[i].name == message.method && step->before)
-      add_maps(frames, message.id, i, evidence.methods[i], *step->before, evidence.readings);
+  const live::MethodChoice* choice = choice_of(evidence, message.method);
+  if (choice != nullptr && step->before) add_maps(frames, message.id, 0, *choice, *step->before, evidence.readings);
   frames.push_back(text_frame(stepped_message(message.id, *step, temperature_k)));
   return frames;
 }
@@ -92,9 +96,8 @@ Frames answer_snapshot(const live::Evidence& evidence, const Snapshot& message) 
   if (!past) return past.error();
   std::vector<SharedFrame> frames;
   for (std::size_t k = 0; k < message.methods.size() && k < past->maps.size(); ++k)
-    for (std::size_t i = 0; i < evidence.methods.size(); ++i)
-      if (evidence.methods[i].name == message.methods[k] && past->maps[k])
-        add_maps(frames, message.id, i, evidence.methods[i], *past->maps[k], evidence.readings);
+    if (const live::MethodChoice* choice = choice_of(evidence, message.methods[k]); choice != nullptr && past->maps[k])
+      add_maps(frames, message.id, k, *choice, *past->maps[k], evidence.readings);
   frames.push_back(text_frame(snapshot_end_message(message.id, message.time_s, past->pings, past->T_world_robot)));
   return frames;
 }
@@ -115,9 +118,10 @@ Frames answer_pings(const live::Evidence& evidence, const PingsMessage& message)
 
 void Room::on(Viewer& viewer, const Explain& message) {
   question(viewer, message.id, [message](const live::Mapper& mapper) -> Ask {
-    const auto written = [id = message.id](const Result<live::Explanation>& explanation) -> Frames {
+    const auto written = [id = message.id,
+                          slot = message.slot](const Result<live::Explanation>& explanation) -> Frames {
       if (!explanation) return explanation.error();
-      return std::vector<SharedFrame>{text_frame(explanation_message(id, *explanation))};
+      return std::vector<SharedFrame>{text_frame(explanation_message(id, slot, *explanation))};
     };
     if (!message.slot)
       return [message, written](const live::Evidence& evidence) {

@@ -32,7 +32,8 @@ struct ServerOptions {
 /// How rooms are made that viewers ask for.
 struct RoomOpeners {
   std::function<Result<RoomSetup>(const std::string& scene, const std::string& room)> scene;
-  std::function<Result<RoomSetup>(std::string log, const std::string& room)> log;
+  /// `title`: how the log shall be called; empty: nobody said.
+  std::function<Result<RoomSetup>(const std::string& log, const std::string& title, const std::string& room)> log;
   /// The final map of a method as one file: "png", "pgm", "yaml" or "csv". Called on the thread of questions.
   std::function<Result<std::string>(const MapExport& map, const std::string& method, std::string_view kind,
                                     const std::vector<Vec2>& path)>

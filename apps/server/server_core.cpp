@@ -74,8 +74,10 @@ void ServerCore::open_scene(const std::string& scene, const Opened& opened) {
   open([this, scene](const std::string& room) { return openers.scene(scene, room); }, opened);
 }
 
-void ServerCore::open_log(std::string log, const Opened& opened) {
-  open([this, log = std::move(log)](const std::string& room) { return openers.log(log, room); }, opened);
+void ServerCore::open_log(std::string log, std::string title, const Opened& opened) {
+  open([this, log = std::move(log),
+        title = std::move(title)](const std::string& room) { return openers.log(log, title, room); },
+       opened);
 }
 
 std::shared_ptr<int> ServerCore::admit_download() {

@@ -50,7 +50,7 @@ class ServerCore {
   /// The name of the new room, or why there is none. Worlds and logs are read on a thread of their own.
   using Opened = std::function<void(Result<std::string>)>;
   void open_scene(const std::string& scene, const Opened& opened);
-  void open_log(std::string log, const Opened& opened);
+  void open_log(std::string log, std::string title, const Opened& opened);
   /// Held by an answer that costs memory or time while it is made and sent; null when too many are.
   [[nodiscard]] std::shared_ptr<int> admit_download();
   void close_empty_rooms(double now_s);

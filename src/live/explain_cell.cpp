@@ -91,10 +91,10 @@ Result<CellHistory> cell_history(const Evidence& evidence, std::size_t place, Ve
   const MethodChoice& choice = evidence.methods[place];
   const CellLayer layer = cell_layer_of(choice.name, choice.options);
   if (is_point_method(choice.name) || !layer.geometry)
-    return Error{ErrorCode::bad_value, "method " + choice.name + " has no cells", choice.name,
+    return Error{ErrorCode::bad_value, "method " + choice.key() + " has no cells", choice.key(),
                  "ask about one of its points"};
   CellHistory history;
-  history.method = choice.name;
+  history.method = choice.key();
   history.unit = layer.unit;
   history.cell = layer.geometry->cell_of(position);
   const Vec2 centre = layer.geometry->centre(history.cell);
@@ -112,15 +112,16 @@ Result<CellHistory> cell_history(const Evidence& evidence, std::size_t place, Ve
   return history;
 }
 
-Result<Explanation> explain_cell(const Evidence& evidence, std::string_view method, Vec2 position) {
-  const auto place = place_of(evidence, method);
+Result<Explanation> explain_cell(const Evidence& evidence, std::string_view id, Vec2 position) {
+  const auto place = place_of(evidence, id);
   if (!place) return place.error();
   auto history = cell_history(evidence, *place, position);
   if (!history) return history.error();
+  const MethodChoice& choice = evidence.methods[*place];
   Explanation explanation;
-  explanation.method = std::string(method);
+  explanation.method = choice.key();
   explanation.searched = evidence.readings.size();
-  explanation.position = cell_layer_of(method, evidence.methods[*place].options).geometry->centre(history->cell);
+  explanation.position = cell_layer_of(choice.name, choice.options).geometry->centre(history->cell);
   explanation.label = name(PointLabel::cell);
   explanation.probability = history->probability;
   const auto raised = std::ranges::count_if(history->changes, [](const auto& c) { return c.after > c.before; });
@@ -129,7 +130,7 @@ Result<Explanation> explain_cell(const Evidence& evidence, std::string_view meth
                            " changed this cell; of the newest " + std::to_string(history->changes.size()) + ", " +
                            std::to_string(raised) + " raised its value and " +
                            std::to_string(history->changes.size() - std::size_t(raised)) + " lowered it or left it.";
-  else if (method == "consensus_evidence")
+  else if (choice.name == "consensus_evidence")
     explanation.sentence =
         "Every reading has all echoes near it weighed anew, so no ping's share of this cell is its own.";
   else

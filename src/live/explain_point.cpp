@@ -201,30 +201,31 @@ Result<void> explain_by_method(const Question& q, std::string_view method, Expla
 
 }  // namespace
 
-Result<Explanation> explain_point(const Evidence& evidence, std::string_view method, std::size_t index) {
-  const auto place = place_of(evidence, method);
+Result<Explanation> explain_point(const Evidence& evidence, std::string_view id, std::size_t index) {
+  const auto place = place_of(evidence, id);
   if (!place) return place.error();
   const MapExport* map = *place < evidence.maps.size() ? evidence.maps[*place].get() : nullptr;
   if (map == nullptr || index >= map->points.size())
-    return Error{ErrorCode::not_found, "the map has no such point any more", std::string(method), "ask again"};
+    return Error{ErrorCode::not_found, "the map has no such point any more", std::string(id), "ask again"};
   const MapPoint& point = map->points.points()[index];
-  if (point.label == PointLabel::cell) return explain_cell(evidence, method, point.position);
+  if (point.label == PointLabel::cell) return explain_cell(evidence, id, point.position);
   const auto own = evidence.readings.find(own_ping(map->points, point));
-  const auto made = make_method(method, evidence.methods[*place].options);
+  const MethodChoice& choice = evidence.methods[*place];
+  const auto made = make_method(choice.name, choice.options);
   if (!made) return made.error();
   if (!own)
     return Error{ErrorCode::not_found, "ping " + std::to_string(own_ping(map->points, point)) + " is not in the log",
                  "", "ask again"};
   const OptionMap options = made->options();
   const Question question{
-      evidence, *map, point, own_ping(map->points, point), *own, options, compared_arcs(method, options)};
+      evidence, *map, point, own_ping(map->points, point), *own, options, compared_arcs(choice.name, options)};
   Explanation explanation;
-  explanation.method = std::string(method);
+  explanation.method = choice.key();
   explanation.searched = evidence.readings.size();
   describe_point(question, explanation);
   const auto beliefs = map->points.beliefs();
   if (index < beliefs.size()) explanation.probability = beliefs[index].probability;
-  if (auto explained = explain_by_method(question, method, explanation); !explained) return explained.error();
+  if (auto explained = explain_by_method(question, choice.name, explanation); !explained) return explained.error();
   for (std::size_t k = 0; k < evidence.methods.size(); ++k)
     if (!is_point_method(evidence.methods[k].name)) {
       if (auto cell = cell_history(evidence, k, point.position)) explanation.cell = std::move(*cell);

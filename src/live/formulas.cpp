@@ -18,10 +18,11 @@ namespace {
 
 // Trees are written as the JSON that viewers get; see `Formula` of the schema.
 
-std::string num(double value) {
+std::string num(double value, std::string_view unit = "") {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return "[\"num\"," + std::string(text.data(), end) + "]";
+  const std::string said = unit.empty() ? "" : ",\"" + std::string(unit) + "\"";
+  return "[\"num\"," + std::string(text.data(), end) + said + "]";
 }
 std::string sym(std::string_view text) {
   return "[\"sym\",\"" + std::string(text) + "\"]";
@@ -78,9 +79,9 @@ FormulaLine profile_line(const InverseSonarModel& model) {
   const double half_deg = model.half_width.deg();
   std::string factor = num(1);
   if (model.profile == BeamProfile::gaussian)
-    factor = bell(node("frac", {val("theta"), num(model.angular_sigma * half_deg)}));
+    factor = bell(node("frac", {val("theta"), num(model.angular_sigma * half_deg, "deg")}));
   if (model.profile == BeamProfile::parabolic)
-    factor = node("sub", {num(1), node("pow", {node("frac", {val("theta"), num(half_deg)}), num(2)})});
+    factor = node("sub", {num(1), node("pow", {node("frac", {val("theta"), num(half_deg, "deg")}), num(2)})});
   return {"How much the beam counts at this bearing", node("eq", {sym("a(θ)"), factor}), "angular_factor"};
 }
 
@@ -100,7 +101,7 @@ std::vector<FormulaLine> evidence_lines(const OptionMap& options, const Reading&
   }
   if (range_m) {
     const std::string depth =
-        bell(node("frac", {node("sub", {val("sigma"), num(*range_m)}), num(model.range_sigma_m)}));
+        bell(node("frac", {node("sub", {val("sigma"), num(*range_m, "m")}), num(model.range_sigma_m, "m")}));
     lines.push_back({"In the band around the echo: likely occupied",
                      node("eq", {sym("p"), node("add", {num(0.5), node("mul", {num(model.occupied_peak - 0.5),
                                                                                val("angular_factor"), depth})})}),

@@ -15,11 +15,30 @@
 namespace echoarc::live {
 namespace {
 
-Error unknown_method(std::string_view name) {
-  return {ErrorCode::not_found, "method " + std::string(name) + " is not running", std::string(name), "add it first"};
+constexpr std::size_t longest_id = 64;
+
+Error unknown_method(std::string_view id) {
+  return {ErrorCode::not_found, "method " + std::string(id) + " is not running", std::string(id), "add it first"};
+}
+
+Result<void> check_id(const MethodChoice& choice) {
+  const std::string& id = choice.key();
+  if (id == choice.name) return {};
+  if (!is_method_id(id))
+    return Error{ErrorCode::bad_value, "\"" + id.substr(0, longest_id) + "\" is no id of a method", choice.name,
+                 "use up to 64 of a-z, 0-9, _ and -, a letter or digit first"};
+  if (find_method(id) != nullptr)
+    return Error{ErrorCode::bad_value, "the id " + id + " is the name of another method", id, "choose another id"};
+  return {};
 }
 
 }  // namespace
+
+bool is_method_id(std::string_view id) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+  return !id.empty() && id.size() <= longest_id && letter(id.front()) &&
+         std::ranges::all_of(id, [&](char c) { return letter(c) || c == '_' || c == '-'; });
+}
 
 Mapper::Mapper(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Mapper::Mapper(Mapper&&) noexcept = default;
@@ -40,6 +59,7 @@ void Mapper::push(const Record& record) {
   std::visit(
       [&]<class R>(const R& r) {
         // The truth and what the robot was told are not for maps.
+        if constexpr (std::is_same_v<R, Truth>) state_->truth.push(r.pose);
         if constexpr (!std::is_same_v<R, Truth> && !std::is_same_v<R, CommandNote>) {
           state_->plain->push(r);
           if (state_->limited) state_->limited->push(r);
@@ -86,9 +106,13 @@ void Mapper::restart() {
 }
 
 Result<void> Mapper::add_method(const MethodChoice& choice) {
-  if (state_->find(choice.name))
-    return Error{ErrorCode::bad_value, "method " + choice.name + " is running already", choice.name,
+  if (auto good = check_id(choice); !good) return good;
+  if (state_->find(choice.key()))
+    return Error{ErrorCode::bad_value, "method " + choice.key() + " is running already", choice.key(),
                  "change its options instead"};
+  if (state_->methods.size() >= max_methods)
+    return Error{ErrorCode::too_large, std::to_string(max_methods) + " methods are running already", choice.key(),
+                 "remove one first"};
   auto run = state_->fresh_run(choice);
   if (!run) return run.error();
   RunningMethod method;
@@ -102,19 +126,20 @@ Result<void> Mapper::add_method(const MethodChoice& choice) {
   return {};
 }
 
-Result<void> Mapper::remove_method(std::string_view name) {
-  const auto k = state_->find(name);
-  if (!k) return unknown_method(name);
+Result<void> Mapper::remove_method(std::string_view id) {
+  const auto k = state_->find(id);
+  if (!k) return unknown_method(id);
   state_->removed_at = std::max(state_->removed_at, state_->methods[*k].store.sequence());
   state_->methods.erase(state_->methods.begin() + std::ptrdiff_t(*k));
   state_->entries.erase(state_->entries.begin() + std::ptrdiff_t(*k));
   return {};
 }
 
-Result<void> Mapper::set_options(std::string_view name, const OptionMap& options) {
-  const auto k = state_->find(name);
-  if (!k) return unknown_method(name);
-  const MethodChoice choice{std::string(name), options};
+Result<void> Mapper::set_options(std::string_view id, const OptionMap& options) {
+  const auto k = state_->find(id);
+  if (!k) return unknown_method(id);
+  MethodChoice choice = state_->methods[*k].choice;
+  choice.options = options;
   auto run = state_->fresh_run(choice);
   if (!run) return run.error();
   state_->methods[*k].choice = choice;
@@ -144,6 +169,9 @@ const SensingReport& Mapper::report() const {
 std::span<const Odometry> Mapper::path() const {
   return state_->plain->sensing().track().samples();
 }
+const TruthLog& Mapper::truth() const {
+  return state_->truth;
+}
 std::span<const Vec2> Mapper::laser() const {
   return state_->scan.returns();
 }
@@ -154,12 +182,12 @@ const std::set<SensorId>& Mapper::sensors_off() const {
   return state_->off;
 }
 
-Result<MapExport> Mapper::final_map(std::string_view name) const {
-  const auto k = state_->find(name);
-  if (!k) return unknown_method(name);
+Result<MapExport> Mapper::final_map(std::string_view id) const {
+  const auto k = state_->find(id);
+  if (!k) return unknown_method(id);
   const State::Entry& entry = state_->entries[*k];
   const MethodRun& newest = entry.next ? *entry.next : entry.run;
-  auto copy = find_method(name)->restore(newest.method().save());
+  auto copy = find_method(state_->methods[*k].choice.name)->restore(newest.method().save());
   if (!copy) return copy.error();
   MethodRun run = newest.with(std::move(*copy));
   run.take_rest(state_->stream_of(run.method()).log(), *state_->executor);

@@ -23,6 +23,7 @@ void Mapper::State::open_streams() {
   timeline.clear();
   timed = 0;
   scan.clear();
+  truth.clear();
   next_mark_s = -std::numeric_limits<double>::infinity();
 }
 
@@ -69,8 +70,8 @@ Result<MethodRun> Mapper::State::fresh_run(const MethodChoice& choice) const {
   return MethodRun(std::move(*method), off);
 }
 
-std::optional<std::size_t> Mapper::State::find(std::string_view method) const {
-  const auto found = std::ranges::find(methods, method, [](const RunningMethod& m) { return m.choice.name; });
+std::optional<std::size_t> Mapper::State::find(std::string_view id) const {
+  const auto found = std::ranges::find(methods, id, &RunningMethod::id);
   return found == methods.end() ? std::nullopt : std::optional(std::size_t(found - methods.begin()));
 }
 

@@ -98,7 +98,7 @@ class Mapper::State {
   [[nodiscard]] bool recompute_slice(std::size_t k, std::size_t readings);
   bool export_method(std::size_t k);
   [[nodiscard]] Result<MethodRun> fresh_run(const MethodChoice& choice) const;
-  [[nodiscard]] std::optional<std::size_t> find(std::string_view method) const;
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view id) const;
   [[nodiscard]] const JudgedStream& stream_of(const AnyMethod& method) const;
   void advance_run(std::size_t k, MethodRun& run, std::size_t limit, Executor& executor);
 
@@ -115,6 +115,7 @@ class Mapper::State {
   TimelineBins timeline;
   std::size_t timed = 0;  ///< pings in the timeline
   NewestScan scan;
+  TruthLog truth;
   double next_mark_s = -std::numeric_limits<double>::infinity();
 };
 

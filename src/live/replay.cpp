@@ -24,7 +24,7 @@ std::vector<Reading> used_readings(const Evidence& evidence, std::size_t begin, 
 }
 
 Result<std::size_t> place_of(const Evidence& evidence, std::string_view method) {
-  const auto found = std::ranges::find(evidence.methods, method, &MethodChoice::name);
+  const auto found = std::ranges::find(evidence.methods, method, &MethodChoice::key);
   if (found != evidence.methods.end()) return std::size_t(found - evidence.methods.begin());
   return Error{ErrorCode::not_found, "method " + std::string(method) + " is not running", std::string(method),
                "add it first"};

@@ -74,7 +74,7 @@ class ScoreKeeper::State {
 
   [[nodiscard]] MethodScore score(const RunningMethod& method, std::uint64_t pings) {
     MethodScore score;
-    score.method = method.choice.name;
+    score.method = method.id();
     if (method.insert_cpu_s > 0.0 && pings > 0) score.cpu_ms_per_ping = 1e3 * method.insert_cpu_s / double(pings);
     if (!method.map) return score;
     const PointMap& points = method.map->points;

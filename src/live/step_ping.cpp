@@ -49,19 +49,20 @@ void touch_carved(const ArcState& older, const JudgedPing& ping, const FreeSecto
 }
 
 /// The arcs of the history before the ping that it crosses or cuts.
-void touch_arcs(const Evidence& evidence, const AnyMethod& method, const Reading& reading, Step& step) {
+void touch_arcs(const Evidence& evidence, const AnyMethod& method, const std::string& name, const Reading& reading,
+                Step& step) {
   if (!step.arc || !method.keeps_arcs()) return;
   const OptionMap options = method.options();
   const bool too_far = echo_range_m(reading.outcome).value_or(0.0) > number_option(options, "max_range_m", 1e9);
-  if (carves(step.method) && too_far) return;
-  const Angle theta_t = compared_arcs(step.method, options).theta_t;
+  if (carves(name) && too_far) return;
+  const Angle theta_t = compared_arcs(name, options).theta_t;
   const CrossableArc arc(*step.arc);
   const FreeSector sector(*step.arc, number_option(options, "guard_m", 0.0));
   method.visit_arcs([&](const ArcState& older) {
     const auto place = evidence.readings.find(older.source.ping);
     if (!place) return;
-    if (crosses(step.method)) touch_crossed(older, evidence.readings[*place], arc, theta_t, step);
-    if (carves(step.method)) touch_carved(older, evidence.readings[*place], sector, step);
+    if (crosses(name)) touch_crossed(older, evidence.readings[*place], arc, theta_t, step);
+    if (carves(name)) touch_carved(older, evidence.readings[*place], sector, step);
   });
 }
 
@@ -93,16 +94,16 @@ std::string consensus_summary(const Evidence& evidence, const OptionMap& all, st
   return text;
 }
 
-std::string summary_of(const Evidence& evidence, const Step& step, const OptionMap& options, std::size_t place) {
-  if (step.method == "consensus") return consensus_summary(evidence, options, place);
+std::string summary_of(const Evidence& evidence, const Step& step, const std::string& name, const OptionMap& options,
+                       std::size_t place) {
+  if (name == "consensus") return consensus_summary(evidence, options, place);
   if (!step.cells.empty()) return "It changes " + counted(step.cells.size(), "cell.", "cells.");
   std::string text;
   const auto count = [&](TouchedArc::What what) {
     return std::size_t(std::ranges::count(step.arcs, what, &TouchedArc::what));
   };
-  if (crosses(step.method))
-    text = "Its arc crosses others " + counted(count(TouchedArc::What::crossed), "time. ", "times. ");
-  if (carves(step.method))
+  if (crosses(name)) text = "Its arc crosses others " + counted(count(TouchedArc::What::crossed), "time. ", "times. ");
+  if (carves(name))
     text += "It cuts " + counted(count(TouchedArc::What::cut), "arc", "arcs") + " and removes " +
             std::to_string(count(TouchedArc::What::removed)) + ". ";
   return text +
@@ -111,8 +112,8 @@ std::string summary_of(const Evidence& evidence, const Step& step, const OptionM
 
 }  // namespace
 
-Result<Step> step_ping(const Evidence& evidence, std::string_view method_name, PingId ping) {
-  const auto chosen = place_of(evidence, method_name);
+Result<Step> step_ping(const Evidence& evidence, std::string_view id, PingId ping) {
+  const auto chosen = place_of(evidence, id);
   if (!chosen) return chosen.error();
   const auto place = evidence.readings.find(ping);
   if (!place)
@@ -124,8 +125,9 @@ Result<Step> step_ping(const Evidence& evidence, std::string_view method_name, P
   auto before = method->export_map();
   if (!before) return before.error();
   Step step;
-  step.method = choice.name;
+  step.method = choice.key();
   step.ping = evidence.readings[*place];
+  step.T_world_true = evidence.truth.at(step.ping.reading.time_s);
   step.before = std::make_shared<const MapExport>(std::move(*before));
   const CellLayer layer = cell_layer_of(choice.name, choice.options);
   step.unit = layer.unit;
@@ -139,10 +141,10 @@ Result<Step> step_ping(const Evidence& evidence, std::string_view method_name, P
   step.cells = std::move(trace.cells);
   const OptionMap options = method->options();
   step.formulas = formulas_of(choice.name, options, reading, step.cells);
-  touch_arcs(evidence, *method, reading, step);
+  touch_arcs(evidence, *method, choice.name, reading, step);
   step.used = step.arc || !step.cells.empty();
   if (!step.used) step.reason = "silence says nothing to this method";
-  step.summary = step.used ? summary_of(evidence, step, options, *place) : "";
+  step.summary = step.used ? summary_of(evidence, step, choice.name, options, *place) : "";
   return step;
 }
 

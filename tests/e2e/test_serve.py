@@ -105,6 +105,35 @@ class ServeTest(CommandTest):
         result = kill_trials.run(COMMAND, trials=3, seed=7)
         self.assertEqual((result["flushed_pings_lost"], result["maps_unequal"]), (0, 0), result)
 
+    def test_one_method_runs_twice_and_is_saved_and_resumed_so(self):
+        served = self.serve("--scene", "demo", "--method", "numakura", "-o", "session")
+        driver = Viewer(served.port, token=served.token)
+        self.addCleanup(driver.close)
+        driver.wait_for("welcome")
+        untested = {"consistency_test": False, "geometry_test": False}
+        driver.say({"type": "method_add", "method": "numakura-no-test", "name": "numakura", "options": untested})
+        running = [method["method"] for method in driver.wait_for("methods")["running"]]
+        while len(running) < 2:
+            running = [method["method"] for method in driver.wait_for("methods")["running"]]
+        self.assertEqual(running, ["numakura", "numakura-no-test"])
+        self.watch(served, 2.0)
+        self.assertEqual(served.end(), 0, served.lines)
+        session = self.dir / "session"
+
+        def check():
+            methods = json.loads((session / "run.json").read_text())["methods"]
+            self.assertEqual([(method["name"], method.get("method")) for method in methods],
+                             [("numakura", None), ("numakura-no-test", "numakura")])
+            self.assertEqual({name: methods[1]["options"][name] for name in untested}, untested)
+            return [(session / method["name"] / "map.pgm").read_bytes() for method in methods]
+
+        before = check()
+        self.assertNotEqual(before[0], before[1])
+        for folder in ("numakura", "numakura-no-test"):
+            (session / folder / "map.pgm").unlink()
+        self.succeed("serve", "--resume", "session", "--duration", "0")
+        self.assertEqual(check(), before)
+
     def test_robot_stops_when_its_driver_is_gone(self):
         for result in dead_man.run(COMMAND, trials=6, seed=7):
             self.assertTrue(dead_man.in_time(result), result)

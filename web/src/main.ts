@@ -23,8 +23,10 @@ import { mountKeyboard } from './ui/keyboard.ts';
 import { mountMapClicks } from './ui/map_clicks.ts';
 import { mountDrop } from './ui/open_log.ts';
 import { mountEmpty, mountHint, mountNotice, mountLiveText, mountLost, mountMapControls, mountModeChip } from './ui/overlays.ts';
+import { openSheet } from './ui/sheet.ts';
 import { toast } from './ui/toast.ts';
 import { mountTopBar } from './ui/top_bar.ts';
+import { offerUrlOptions } from './ui/url_options.ts';
 import { words } from './words.ts';
 
 function start(): void {
@@ -60,11 +62,12 @@ function start(): void {
   model.on('state', pad.update);
   app.driving.onChange = pad.update;
   followRights(app);
+  offerUrlOptions(app);
   mountLiveText(app, byId('says'));
   mountKeyboard(app, {
     togglePad: pad.togglePad, toggleStrip: () => { document.body.toggleAttribute('data-no-strip'); }, startGoTo: clicks.startGoTo, cancel: clicks.cancel,
     walk: clicks.walk, explainWalked: clicks.explainWalked,
-    focusLayers: () => { document.body.toggleAttribute('data-sheet', true); document.getElementById('layers')?.focus(); },
+    focusLayers: () => { openSheet(); document.getElementById('layers')?.focus(); },
   });
   welcomeBack(app);
   if (!map.accelerated) toast(words.noWebGl);

@@ -42,8 +42,9 @@ struct InputFile {
 
 /// One method's share of a run.
 struct MethodReport {
-  std::string name;
-  OptionMap options;  ///< in full, defaults included
+  std::string name;         ///< of its folder
+  std::string method = {};  ///< in the catalogue; empty: that is its name, too
+  OptionMap options;        ///< in full, defaults included
   InsertCounters counters;
   std::vector<Tally> tallies;  ///< counts that only this method keeps
   std::size_t points = 0;

@@ -12,7 +12,7 @@
 #include "echoarc/live/reading_log.hpp"
 
 /// Questions of people about a map, answered from copies, beside the mapping. The answers follow `explanation` and
-/// `stepped` of schema/messages.schema.json field by field.
+/// `stepped` of schema/messages.schema.json field by field. Methods are named by their ids.
 namespace echoarc::live {
 
 /// What a question is asked about: all of it cheap copies.
@@ -21,6 +21,7 @@ struct Evidence {
   std::vector<MethodChoice> methods;  ///< in order; the first with cells explains cells of point methods
   std::vector<std::shared_ptr<const MapExport>> maps;  ///< of each method; may be null
   std::vector<Polyline> walls;
+  TruthLog truth;
   std::set<SensorId> sensors_off;
 };
 
@@ -92,7 +93,8 @@ struct Step {
   std::string method;
   JudgedPing ping;
   bool used = false;
-  std::string reason;  ///< why not
+  std::string reason;                 ///< why not
+  std::optional<Pose2> T_world_true;  ///< of the robot, where the source knows it
   std::optional<Arc> arc;
   std::optional<double> cell_m;
   std::string unit;

@@ -15,7 +15,7 @@ namespace echoarc::live {
 
 /// How good the map of one method is by now. What cannot be said is left out.
 struct MethodScore {
-  std::string method;
+  std::string method;  ///< its id
   std::size_t points = 0;
   std::optional<double> bound_m;  ///< median bound of its points
   std::optional<double> mae_m;    ///< mean distance of its points to the nearest true wall

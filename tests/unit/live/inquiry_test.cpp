@@ -205,6 +205,19 @@ TEST(Inquiry, FormulasYieldTheTermsThatTheySay) {
   }
 }
 
+TEST(Inquiry, ConstantsOfFormulasCarryTheirUnits) {
+  const Evidence evidence = evidence_of({echo_of(0, {0, 0}, 90.0, 1.5)}, {{"evidence", {{"range_sigma_m", 0.03}}}});
+  const auto step = step_ping(evidence, "evidence", 0);
+  ASSERT_TRUE(step);
+  std::map<std::string, std::string> trees;
+  for (const FormulaLine& line : step->formulas) trees[line.result] = line.tree;
+  EXPECT_NE(trees["angular_factor"].find(R"(["val","theta"],["num",5.625,"deg"])"), std::string::npos)
+      << trees["angular_factor"];
+  EXPECT_NE(trees["p_band"].find(R"(["sub",["val","sigma"],["num",1.5,"m"]],["num",0.03,"m"])"), std::string::npos)
+      << trees["p_band"];
+  EXPECT_NE(trees["p_band"].find(R"(["num",0.5])"), std::string::npos) << "a number alone has none";
+}
+
 TEST(Inquiry, AStepShowsTheMapBeforeThePingAndTheArcsItMeets) {
   const Evidence cut = evidence_of({echo_of(0, {0, 0}, 90.0, 2.0), echo_of(1, {0.2, 0.0}, 90.0, 2.0)}, {{"carve", {}}});
   const auto step = step_ping(cut, "carve", 1);

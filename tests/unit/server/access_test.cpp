@@ -61,6 +61,21 @@ TEST(Access, BearerTokenAlone) {
   EXPECT_EQ(bearer(""), "");
 }
 
+TEST(Access, NamesOfFilesAreForShowAlone) {
+  EXPECT_EQ(shown_name("hall-2.jsonl"), "hall-2.jsonl");
+  EXPECT_EQ(shown_name("B%C3%BCro%202.log"), "B\xC3\xBCro 2.log");
+  EXPECT_EQ(shown_name("..%2F..%2Fetc%2Fpasswd"), "passwd");
+  EXPECT_EQ(shown_name("C:\\logs\\a.clf"), "a.clf");
+  EXPECT_EQ(shown_name("a%00b%0Ac%7F"), "abc");
+  EXPECT_EQ(shown_name("100%"), "100%");
+  EXPECT_EQ(shown_name("%zz%4"), "%zz%4");
+  EXPECT_EQ(shown_name(""), "");
+  EXPECT_EQ(shown_name("folder/"), "");
+  EXPECT_EQ(shown_name(std::string(200, 'a')), std::string(80, 'a'));
+  std::string longest(79, 'a');
+  EXPECT_EQ(shown_name(longest + "%C3%BC"), longest) << "no half of a character";
+}
+
 TEST(RateLimit, SoManyAtOnceThenSoManyASecond) {
   RateLimit limit(10.0, 3.0);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(limit.take(100.0)) << i;

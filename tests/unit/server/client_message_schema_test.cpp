@@ -30,6 +30,7 @@ const std::vector<const char*> samples{
     R"({"type":"drive","v":0.25,"w":-1,"seq":7})",
     R"({"type":"mode","mode":"goto","x":1.5,"y":-2})",
     R"({"type":"method_add","method":"carve"})",
+    R"({"type":"method_add","method":"carve-2","name":"carve","options":{"a":0.5}})",
     R"({"type":"method_remove","method":"carve"})",
     R"({"type":"options","method":"vt","options":{"a":true,"b":3,"c":0.5,"d":"text"}})",
     R"({"type":"sensor","sensor":2,"on":false})",

@@ -81,6 +81,20 @@ TEST(ClientMessage, OptionsOfEveryKind) {
   expect_refused(R"({"type":"options","method":"atm_mod","options":[]})", "no object");
 }
 
+TEST(ClientMessage, MethodIsAddedUnderAnIdOfItsOwn) {
+  const auto plain = parsed<MethodAdd>(R"({"type":"method_add","method":"carve"})");
+  EXPECT_FALSE(plain.name);
+  EXPECT_FALSE(plain.options);
+  const auto second =
+      parsed<MethodAdd>(R"({"type":"method_add","method":"carve-2","name":"carve","options":{"guard_m":0.1}})");
+  EXPECT_EQ(second.method, "carve-2");
+  EXPECT_EQ(second.name, "carve");
+  EXPECT_EQ(second.options, (OptionMap{{"guard_m", 0.1}}));
+  expect_refused(R"({"type":"method_add","method":"a","name":1})", "\"name\"");
+  expect_refused(R"({"type":"method_add","method":"a","options":[]})", "no object");
+  expect_refused(R"({"type":"method_add","name":"carve"})", "has no \"method\"");
+}
+
 TEST(ClientMessage, ExplainsAPointOrAPlace) {
   EXPECT_EQ(parsed<Explain>(R"({"type":"explain","id":1,"method":"consensus","slot":9})").slot, 9U);
   EXPECT_EQ(parsed<Explain>(R"({"type":"explain","id":1,"method":"evidence","x":1,"y":2})").y_m, 2.0);

@@ -62,7 +62,7 @@ TEST(MessageSchema, StateOfEveryKind) {
   for (const live::Mode mode : {live::Mode::stand, live::Mode::drive, live::Mode::tour, live::Mode::go_to}) {
     status.control.mode = mode;
     message = good(state_message(status, rights, 2, StopNote{"viewer", 3, "Ann"}, 5));
-    EXPECT_EQ(message["mode"], live::name(mode));
+    EXPECT_EQ(message["mode"], live::mode_name(status.control));
   }
   EXPECT_EQ(message["true_pose"], Value::array({1.0, 2.0, 0.5}));
   EXPECT_EQ(message["driver"], 3);
@@ -139,11 +139,15 @@ TEST(MessageSchema, AnswersAboutEveryMethod) {
       ASSERT_GT(method.map->points.size(), 0U) << name;
       const auto why = live::explain_point(evidence, name, method.map->points.size() / 2);
       ASSERT_TRUE(why) << name << ": " << why.error().message;
-      EXPECT_EQ(good(explanation_message(1, *why))["kind"], "point");
+      const Value explained = good(explanation_message(1, 7, *why));
+      EXPECT_EQ(explained["kind"], "point");
+      EXPECT_EQ(explained["slot"], 7);
     }
     const auto cell = live::explain_cell(evidence, name, {3.0, 2.0});
     if (cell) {
-      EXPECT_EQ(good(explanation_message(2, *cell))["kind"], "cell") << name;
+      const Value explained = good(explanation_message(2, std::nullopt, *cell));
+      EXPECT_EQ(explained["kind"], "cell") << name;
+      EXPECT_TRUE(explained["slot"].is_null());
     }
     for (std::size_t k = middle; k < middle + 40; k += 13) {
       const auto step = live::step_ping(evidence, name, evidence.readings[k].reading.ping);

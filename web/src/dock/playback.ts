@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /** Time of the view: live, held, stepping through pings; and playing a log. */
+import { pingAfter } from '../step/cells.ts';
 import type { App } from '../ui/app.ts';
 
 export const isLog = (app: App): boolean => app.model.welcome?.source.kind === 'log';
@@ -28,12 +29,17 @@ export function togglePause(app: App): void {
 }
 
 export function stepPing(app: App, by: number): void {
-  const { recent } = app.model.pings;
-  const at = app.model.view.heldAt ?? app.model.state?.t ?? 0;
+  const { model } = app;
+  if (model.view.name === 'step') {
+    // Step mode goes through the whole log, and holds the time of its ping itself.
+    const ping = pingAfter(model.view.ping ?? model.pings.newest?.id ?? 0, by, model.state?.pings ?? 0);
+    if (ping !== model.view.ping) model.show({ ping, cell: null });
+    return;
+  }
+  const { recent } = model.pings;
+  const at = model.view.heldAt ?? model.state?.t ?? 0;
   let index = recent.findIndex((p) => p.t > at) - 1;
   if (index < -1) index = recent.length - 1;
   const ping = recent[Math.max(0, Math.min(recent.length - 1, index + by))];
-  if (!ping) return;
-  hold(app, ping.t);
-  if (app.model.view.name === 'step') app.model.show({ ping: ping.id });
+  if (ping) hold(app, ping.t);
 }

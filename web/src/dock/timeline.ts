@@ -58,7 +58,7 @@ export function mountTimeline(app: App, host: HTMLElement): void {
     const at = wanted ?? held ?? now();
     say(time, held === null && !isLog(app) ? clock(at) : `${clock(at)} / ${clock(end())}`);
     const lost = model.connection.phase === 'lost' || model.connection.phase === 'ended';
-    const text = lost ? words.held : held !== null ? words.backToLive : isLog(app) ? (model.state?.playing ? words.playing : words.paused) : words.live;
+    const text = lost ? words.held : model.connection.phase === 'connecting' ? words.connecting : held !== null ? words.backToLive : isLog(app) ? (model.state?.playing ? words.playing : words.paused) : words.live;
     if (pill.textContent !== text) pill.replaceChildren(...(held === null ? [h('i', { class: 'dot' })] : []), text);
     const paused = held !== null || (isLog(app) && !(model.state?.playing ?? true));
     if (play.dataset['paused'] !== String(paused)) { play.dataset['paused'] = String(paused); play.replaceChildren(icon(paused ? 'play' : 'pause')); play.setAttribute('aria-label', paused ? 'Play' : 'Pause view'); }

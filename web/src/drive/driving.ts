@@ -25,6 +25,9 @@ export class Driving {
   constructor(private readonly model: PageModel) {
     addEventListener('blur', () => this.letGo());
     document.addEventListener('visibilitychange', () => { if (document.hidden) this.leave(); });
+    // Browsers that put a page to sleep, or leave it, need not tell that it was hidden before.
+    document.addEventListener('freeze', () => this.leave());
+    addEventListener('pagehide', () => this.leave());
     model.on('state', () => this.follow());
     model.on('connection', () => this.follow());
   }

@@ -12,11 +12,11 @@ const reachPx = 50;
 export function mountPad(app: App, over: HTMLElement): { update(): void; togglePad(): void } {
   const knob = h('div', { class: 'knob' });
   const pad = h('div', {
-    class: 'pad', role: 'application', tabindex: 0,
+    class: 'pad', role: 'application', tabindex: 0, hidden: true,
     'aria-label': 'Drive pad. Arrow keys or W A S D drive while held; letting go stops.',
   }, [knob]);
   const speed = h('b'), limit = h('b'), free = h('b'), limitWord = h('small', {}, 'limit here');
-  const hud = h('div', { class: 'hud' }, [
+  const hud = h('div', { class: 'hud', hidden: true }, [
     h('div', {}, [speed, h('small', {}, 'm/s')]), h('div', {}, [limit, limitWord]), h('div', {}, [free, h('small', {}, 'free ahead')]),
   ]);
   over.append(hud, pad);

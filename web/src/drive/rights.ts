@@ -9,9 +9,6 @@ import { capital } from '../ui/format.ts';
 import { toast } from '../ui/toast.ts';
 import { words } from '../words.ts';
 
-/** The server takes no answer for Keep after this. */
-const askedForMs = 20_000;
-
 export function driverName(app: App): string | null {
   const driver = app.model.state?.driver ?? null;
   if (driver === null) return null;
@@ -62,7 +59,7 @@ export function followRights(app: App): void {
     const answer = (accept: boolean) => (): void => { app.model.send({ type: 'answer', accept }); };
     toast(words.asksToDrive(request.name), [
       { label: words.handOver, primary: true, run: answer(true) }, { label: words.keep, run: answer(false) },
-    ], false, askedForMs);
+    ], false, 1000 * request.timeout_s); // after that the server takes no answer for Keep
   });
   app.model.on('drive_lost', () => {
     const reason = app.model.driveLost?.reason;

@@ -4,10 +4,12 @@
 /** "Why is this point here?": the panel of a point or a cell, and what it lights up on the map. */
 import { type MarkSlot, markSlots } from '../map/slots.ts';
 import type { MapPlace } from '../map/map_view.ts';
+import { runningOf } from '../model/instances.ts';
 import { backButton } from '../panels/back.ts';
 import type { Explanation } from '../protocol/messages.ts';
 import type { App, Panel } from '../ui/app.ts';
 import { h } from '../ui/dom.ts';
+import { clock } from '../ui/format.ts';
 import { toast } from '../ui/toast.ts';
 import { arcUnder } from './arc_hit.ts';
 import { Inquiry } from './inquiry.ts';
@@ -21,6 +23,7 @@ class ExplainPanel implements Panel {
   readonly title = words.whySomething;
   private readonly heading = h('h1', { tabindex: -1 });
   private readonly sentence = h('p', { 'aria-live': 'polite' });
+  private readonly note = h('div');
   private readonly facts = h('div');
   private readonly body = h('div', { class: 'explain-body' });
   private readonly foot = h('div', { class: 'foot', hidden: true });
@@ -37,7 +40,7 @@ class ExplainPanel implements Panel {
 
   mount(host: HTMLElement): void {
     this.isMounted = true;
-    host.append(h('section', { class: 'sec' }, [backButton(this.app), this.heading, this.sentence, this.facts]), this.body, this.foot);
+    host.append(h('section', { class: 'sec' }, [backButton(this.app), this.heading, this.note, this.sentence, this.facts]), this.body, this.foot);
     this.hoverBefore = this.app.map.onHover;
     this.app.map.onHover = (place) => { this.hoverBefore?.(place); this.hoverMap(place); };
     this.off = this.app.model.on('welcome', () => { if (this.inquiry.refused) this.inquiry.forget(); this.update(); });
@@ -64,6 +67,7 @@ class ExplainPanel implements Panel {
   private draw(): void {
     if (!this.isMounted) return;
     const { answer, refused, slow, version } = this.inquiry;
+    this.tellWhichMap();
     const key = `${version} ${answer ? this.slotOf(answer.method) : ''}`;
     if (key === this.drawn) return;
     this.drawn = key;
@@ -72,6 +76,16 @@ class ExplainPanel implements Panel {
     else if (slow) this.say(answer ? titleOf(answer) : words.whySomething, words.lookingThrough(this.app.model.state?.pings ?? 0));
     else if (answer) this.show(answer);
     else this.say(words.whySomething, words.looking);
+  }
+
+  /** While a moment is held the map shows that; the server explains what it holds now. */
+  private tellWhichMap(): void {
+    const { heldAt } = this.app.model.view;
+    const key = heldAt === null ? '' : clock(heldAt);
+    if (this.note.dataset['of'] === key) return;
+    this.note.dataset['of'] = key;
+    const live = h('button', { class: 'btn sm' }, words.backToLive, { click: () => this.app.model.show({ heldAt: null }) });
+    this.note.replaceChildren(...(heldAt === null ? [] : [h('div', { class: 'hint held-note' }, [h('p', {}, words.explainsLive(key)), live])]));
   }
 
   /** Title and sentence alone, where there is nothing to show below. */
@@ -94,7 +108,7 @@ class ExplainPanel implements Panel {
     this.heading.textContent = titleOf(e);
     this.sentence.textContent = e.sentence;
     this.facts.replaceChildren(factsOf(e));
-    const sections = [figureSection(e, this.slotOf(e.method)), supportSection(e, (ping) => this.hover(ping)), cellSection(e, this.app.titleOf)];
+    const sections = [figureSection(e, this.slotOf(e.method), runningOf(this.app.model.methods, e.method)?.name ?? e.method), supportSection(e, (ping) => this.hover(ping)), cellSection(e, this.app.titleOf)];
     replaceKeepingFocus(this.body, sections.filter((s) => s !== null));
     this.fillFoot(e);
     this.hovered = null;

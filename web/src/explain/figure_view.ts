@@ -20,11 +20,12 @@ function pointMark(slot: MarkSlot, x: number): SVGElement {
 }
 
 /** Null where the method has no arc for it. Marks carry `data-ping`, so that the table can light them up. */
-export function figureView(explanation: Explanation, slot: MarkSlot): SVGElement | null {
+/** `name`: of the method in the catalogue. */
+export function figureView(explanation: Explanation, slot: MarkSlot, name: string): SVGElement | null {
   const figure = arcFigure(explanation);
   if (!figure || !explanation.arc) return null;
   const { whole, left, bound, point } = figure;
-  const label = `${markWord(explanation.method)} ${signedDegrees(explanation.arc.t)}`;
+  const label = `${markWord(name)} ${signedDegrees(explanation.arc.t)}`;
   const parts: SVGElement[] = [
     svg('path', { class: 'arc-whole', d: `M${whole.x0} ${line}H${whole.x1}` }),
     svg('path', { class: 'arc-left', d: `M${left.x0} ${line}H${left.x1}` }),

@@ -41,8 +41,8 @@ export function factsOf(e: Explanation): HTMLElement {
   return h('div', { class: 'facts explain-facts' }, facts);
 }
 
-export function figureSection(e: Explanation, slot: MarkSlot): HTMLElement | null {
-  const figure = figureView(e, slot);
+export function figureSection(e: Explanation, slot: MarkSlot, name: string): HTMLElement | null {
+  const figure = figureView(e, slot, name);
   return figure && e.own && section(words.alongArc(e.own.ping), '', [figure]);
 }
 

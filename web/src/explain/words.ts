@@ -22,6 +22,8 @@ export const words = {
   looking: 'Looking for the pings behind it',
   nothingChosen: 'Click a point on the map, or a cell from zoom 90, to see the pings behind it.',
   askAgain: 'Ask again',
+  explainsLive: (shown: string): string => `This explains the live map, not the moment ${shown} that is shown.`,
+  backToLive: 'Back to live',
   place: 'x, y in m',
   bound: 'bound',
   noBound: 'no bound',

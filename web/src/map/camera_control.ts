@@ -15,6 +15,8 @@ export class CameraControl {
   private flight: Flight | null = null;
   private fit: { camera: Camera; area: Area } | null = null;
   private readonly calm = matchMedia('(prefers-reduced-motion: reduce)');
+  /** So much of the map at its right is under a sheet: what is to be seen goes beside it. */
+  coveredPx = 0;
   current: Camera = { x: 0, y: 0, s: 40 };
 
   constructor(private readonly model: Model, private readonly area: () => Area, private readonly robot: () => { x: number; y: number } | null) {}
@@ -57,9 +59,14 @@ export class CameraControl {
     this.start(from, this.fitting());
   }
 
-  flyTo(box: Box, maxScale: number): void { this.fly(fitted(box, this.area(), 1.6 * fitMarginPx, maxScale), false); }
+  flyTo(box: Box, maxScale: number): void { this.fly(this.beside(box, 1.6 * fitMarginPx, maxScale), false); }
 
   resized(): void { this.fit = null; }
+
+  cover(px: number): void {
+    this.coveredPx = px;
+    this.fit = null;
+  }
 
   private fly(to: Camera, follow: boolean): void {
     const from = this.current;
@@ -79,9 +86,16 @@ export class CameraControl {
     this.model.show({ camera, follow });
   }
 
+  private beside(box: Box, marginPx: number, maxScale?: number): Camera {
+    const area = this.area();
+    const covered = this.model.view.name === 'compare' ? 0 : this.coveredPx;
+    const camera = fitted(box, { ...area, width: area.width - covered }, marginPx, maxScale);
+    return { ...camera, x: camera.x + covered / 2 / camera.s };
+  }
+
   private fitting(): Camera {
     const area = this.area();
-    const wanted = fitted(contentBox(this.model) ?? emptyBox, area, fitMarginPx);
+    const wanted = this.beside(contentBox(this.model) ?? emptyBox, fitMarginPx);
     const kept = this.fit;
     if (kept && kept.area.width === area.width && kept.area.height === area.height && kept.camera.s <= wanted.s / fitSlack && kept.camera.s >= wanted.s * fitSlack) {
       const offPx = Math.max(Math.abs(kept.camera.x - wanted.x), Math.abs(kept.camera.y - wanted.y)) * wanted.s;

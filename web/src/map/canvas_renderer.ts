@@ -3,10 +3,12 @@
 
 import { tileSide } from '../model/map_store.ts';
 import type { MethodMap, Tile } from '../model/method_map.ts';
+import { blendedColour, onCellsOf } from './blended.ts';
 import { crossSegments } from './crosses.ts';
+import { ellipticBounds } from './elliptic_bounds.ts';
 import { type Palette, withAlpha } from './palette.ts';
 import { drawMark, Pen } from './pen.ts';
-import { cellColour } from './ramp.ts';
+import { cellColour, type Rgb } from './ramp.ts';
 import {
   boundAlpha, boundHalfAngle, boundsFromScale, boundWidth, type GridLayer, type GroundRenderer, markRadius, nearestFromScale, type PaneScene,
   type PointLayer, type Scene,
@@ -60,34 +62,47 @@ export class CanvasRenderer implements GroundRenderer {
       for (let i = 0; i + 1 < scene.pathLength; i += 2) pen.line(scene.path[i] ?? 0, scene.path[i + 1] ?? 0);
       pen.stroke(withAlpha(palette.rgb.accent, 0.55), 1.5);
     }
-    for (const layer of pane.points) if (layer.bounds && pen.s >= boundsFromScale) bounds(pen, layer);
+    for (const layer of pane.points) if (layer.bounds && pen.s >= boundsFromScale) bounds(pen, layer, scene.arcOf);
     for (const layer of [...pane.points].reverse()) marks(pen, layer, scene.centerlineLabel);
   }
 
-  private grid(pen: Pen, { map, tone, alpha }: GridLayer): void {
+  private grid(pen: Pen, { map, tone, alpha, against }: GridLayer): void {
     if (!map.grid) return;
     const { g } = this;
     g.imageSmoothingEnabled = pen.s < nearestFromScale;
     g.globalAlpha = alpha;
     const side = map.grid.cellM * tileSide;
-    for (const tile of map.tiles.values()) {
+    const other = against && onCellsOf(against.map, map);
+    const keys = other ? new Set([...map.tiles.keys(), ...other.tiles.keys()]) : map.tiles.keys();
+    for (const key of keys) {
+      const own = map.tiles.get(key);
+      const second = other?.tiles.get(key);
+      const tile = own ?? second;
+      if (!tile) continue;
       const left = pen.x(map.grid.x + tile.column * side);
       const top = pen.y(map.grid.y + (tile.row + 1) * side);
       const size = side * pen.s;
       if (left > pen.area.x + pen.area.width || top > pen.area.y + pen.area.height || left + size < pen.area.x || top + size < pen.area.y) continue;
-      g.drawImage(this.image(tile, tone, pen.palette), left, top, size, size);
+      const image = against ? this.blended(tile, own, second, against.blend, pen.palette) : this.image(tile, tone, pen.palette);
+      g.drawImage(image, left, top, size, size);
     }
     g.globalAlpha = 1;
   }
 
   private image(tile: Tile, tone: number, palette: Palette): HTMLCanvasElement {
-    const key = `${tile.version} ${tone} ${palette.css.free}`;
+    return this.drawn(tile, `${tile.version} ${tone} ${palette.css.free}`, (k) => cellColour(tile.bytes[k] ?? 0, tone, palette.rgb.unk, palette.rgb.free, palette.rgb.occ));
+  }
+
+  private blended(key: Tile, own: Tile | undefined, second: Tile | undefined, blend: number, palette: Palette): HTMLCanvasElement {
+    return this.drawn(key, `${own?.version} ${second?.version} blend ${blend} ${palette.css.free}`, (k) => blendedColour(own?.bytes[k] ?? 0, second?.bytes[k] ?? 0, blend, palette));
+  }
+
+  private drawn(tile: Tile, key: string, colourOf: (k: number) => Rgb): HTMLCanvasElement {
     const known = this.tiles.get(tile);
     if (known?.key === key) return known.canvas;
     const canvas = known?.canvas ?? document.createElement('canvas');
     canvas.width = canvas.height = tileSide;
-    const g = canvas.getContext('2d');
-    if (g) g.putImageData(tileImage(tile, tone, palette), 0, 0);
+    canvas.getContext('2d')?.putImageData(tileImage(colourOf), 0, 0);
     this.tiles.set(tile, { canvas, key });
     return canvas;
   }
@@ -95,11 +110,11 @@ export class CanvasRenderer implements GroundRenderer {
   destroy(): void { this.canvas.width = this.canvas.height = 1; }
 }
 
-function tileImage(tile: Tile, tone: number, { rgb }: Palette): ImageData {
+function tileImage(colourOf: (k: number) => Rgb): ImageData {
   const image = new ImageData(tileSide, tileSide);
   for (let j = 0; j < tileSide; j++) {
     for (let i = 0; i < tileSide; i++) {
-      const colour = cellColour(tile.bytes[j * tileSide + i] ?? 0, tone, rgb.unk, rgb.free, rgb.occ);
+      const colour = colourOf(j * tileSide + i);
       const at = 4 * ((tileSide - 1 - j) * tileSide + i);
       image.data[at] = 255 * colour[0];
       image.data[at + 1] = 255 * colour[1];
@@ -130,8 +145,10 @@ function eachSeen(pen: Pen, map: MethodMap, everyNth: number, call: (slot: numbe
   }
 }
 
-function bounds(pen: Pen, { map, slot, everyNth, alpha }: PointLayer): void {
+function bounds(pen: Pen, { map, slot, everyNth, alpha }: PointLayer, arcOf: Scene['arcOf']): void {
   const { g, palette } = pen;
+  const style = withAlpha(palette.rgb[slotColour[slot]], boundAlpha(palette.dark) * alpha);
+  segments(pen, ellipticBounds(map, everyNth, arcOf), () => pen.stroke(style, boundWidth(pen.s)));
   g.beginPath();
   eachSeen(pen, map, everyNth, (i) => {
     const [x, y] = [map.arcX[i] ?? Number.NaN, map.arcY[i] ?? Number.NaN];
@@ -142,11 +159,11 @@ function bounds(pen: Pen, { map, slot, everyNth, alpha }: PointLayer): void {
     pen.move(x + r * Math.cos(t + half), y + r * Math.sin(t + half));
     pen.arc(x, y, r, t - half, t + half);
   });
-  pen.stroke(withAlpha(palette.rgb[slotColour[slot]], boundAlpha(palette.dark) * alpha), boundWidth(pen.s));
+  pen.stroke(style, boundWidth(pen.s));
 }
 
 function marks(pen: Pen, { map, slot, everyNth, alpha }: PointLayer, openLabel: number): void {
   const radius = markRadius(pen.s);
   const colour = withAlpha(pen.palette.rgb[slotColour[slot]], alpha);
-  eachSeen(pen, map, everyNth, (i, px, py) => drawMark(pen.g, slot, px, py, radius, colour, map.label[i] === openLabel && map.method !== 'centerline'));
+  eachSeen(pen, map, everyNth, (i, px, py) => drawMark(pen.g, slot, px, py, radius, colour, map.label[i] === openLabel && map.name !== 'centerline'));
 }

@@ -4,6 +4,8 @@
 /** Layer 13 while a point is explained: the arcs behind it, where they cross, and how far off it may be. */
 import type { Explanation, PingDetail } from '../protocol/messages.ts';
 import type { Box } from './camera.ts';
+import { drawWays } from './cones.ts';
+import { arcOfDetail, type EchoArc, placeAt } from './echo_arc.ts';
 import { withAlpha } from './palette.ts';
 import { drawMark, type Pen } from './pen.ts';
 import { drawGhost } from './robot.ts';
@@ -11,41 +13,48 @@ import { type MarkSlot, slotColour } from './slots.ts';
 
 export const dimAlpha = 0.72;
 
-interface Cone { x: number; y: number; yaw: number; r: number; half: number; ping: PingDetail }
+interface Cone { arc: EchoArc; ping: PingDetail }
 
 function coneOf(ping: PingDetail): Cone | null {
-  const r = ping.range_m ?? ping.trusted_range_m;
-  if (!(r > 0)) return null;
-  const [x, y, yaw] = ping.T_world_tx;
-  if (ping.tx === ping.rx) return { x, y, yaw, r, half: ping.beam_width / 2, ping };
-  const [x2, y2, yaw2] = ping.T_world_rx;
-  const middle = Math.atan2(Math.sin(yaw) + Math.sin(yaw2), Math.cos(yaw) + Math.cos(yaw2));
-  return { x: (x + x2) / 2, y: (y + y2) / 2, yaw: middle, r, half: ping.beam_width / 2, ping };
+  const arc = arcOfDetail(ping);
+  return arc.rangeM > 0 ? { arc, ping } : null;
 }
 
-function edges(pen: Pen, c: Cone, colour: string): void {
+/** From the sensor to the ends of the arc; from two, dotted. */
+function edges(pen: Pen, { arc, ping }: Cone, colour: string): void {
+  if (ping.tx !== ping.rx) {
+    drawWays(pen, arc, [[ping.T_world_tx[0], ping.T_world_tx[1]], [ping.T_world_rx[0], ping.T_world_rx[1]]], colour);
+    return;
+  }
   pen.g.beginPath();
-  for (const side of [-1, 1]) {
-    pen.move(c.x, c.y);
-    pen.line(c.x + c.r * Math.cos(c.yaw + side * c.half), c.y + c.r * Math.sin(c.yaw + side * c.half));
+  for (const t of [-arc.half, arc.half]) {
+    pen.move(arc.x, arc.y);
+    pen.line(...placeAt(arc, t));
   }
   pen.stroke(colour, 1);
 }
 
-function arc(pen: Pen, c: Cone, colour: string, width: number): void {
+function drawArc(pen: Pen, { arc }: Cone, colour: string, width: number): void {
   pen.g.beginPath();
-  pen.arc(c.x, c.y, c.r, c.yaw - c.half, c.yaw + c.half);
+  pen.echo(arc);
   pen.stroke(colour, width);
 }
 
+function sensors(pen: Pen, { ping }: Cone, radiusPx: number, colour: string): void {
+  pen.dot(ping.T_world_tx[0], ping.T_world_tx[1], radiusPx, colour);
+  if (ping.tx !== ping.rx) pen.dot(ping.T_world_rx[0], ping.T_world_rx[1], radiusPx, colour);
+}
+
 /** Short strokes across the arc at both ends of the interval in which the point may lie. */
-function bracket(pen: Pen, own: Cone, t: number, bound: number): void {
+function bracket(pen: Pen, { arc }: Cone, t: number, bound: number): void {
   const reach = 8 / pen.s;
   for (const side of [-1, 1]) {
-    const a = own.yaw + t + side * bound;
+    const at = t + side * bound;
+    const [x, y] = placeAt(arc, at);
+    const [dx, dy] = [reach * Math.cos(arc.yaw + at), reach * Math.sin(arc.yaw + at)];
     pen.g.beginPath();
-    pen.move(own.x + (own.r - reach) * Math.cos(a), own.y + (own.r - reach) * Math.sin(a));
-    pen.line(own.x + (own.r + reach) * Math.cos(a), own.y + (own.r + reach) * Math.sin(a));
+    pen.move(x - dx, y - dy);
+    pen.line(x + dx, y + dy);
     pen.stroke(pen.palette.css.ink, 2);
   }
 }
@@ -60,18 +69,18 @@ export function drawExplanation(pen: Pen, e: Explanation, hovered: number | null
     const on = c.ping.ping === hovered;
     edges(pen, c, withAlpha(rgb.hit, on ? 0.6 : 0.18));
     if (on) {
-      pen.sector(c.x, c.y, c.yaw, c.half, c.r);
+      pen.sector(c.arc);
       g.fillStyle = withAlpha(rgb.hit, 0.1);
       g.fill();
     }
-    arc(pen, c, withAlpha(rgb.hit, on ? 1 : 0.62), on ? 3 : 1.75);
-    pen.dot(c.x, c.y, on ? 3.5 : 2.5, css.hit);
+    drawArc(pen, c, withAlpha(rgb.hit, on ? 1 : 0.62), on ? 3 : 1.75);
+    sensors(pen, c, on ? 3.5 : 2.5, css.hit);
   }
   const colour = slotColour[slot];
   if (own) {
     edges(pen, own, withAlpha(rgb[colour], 0.45));
-    arc(pen, own, css[colour], 3);
-    pen.dot(own.x, own.y, 4, css[colour]);
+    drawArc(pen, own, css[colour], 3);
+    sensors(pen, own, 4, css[colour]);
   }
   for (const s of e.support) {
     if (s.x === null || s.y === null) continue;
@@ -109,8 +118,9 @@ export function explanationBox(e: Explanation): Box {
   for (const ping of [...e.support.map((s) => s.ping), ...(e.own ? [e.own] : [])]) {
     const c = coneOf(ping);
     if (!c) continue;
-    add(c.x, c.y);
-    for (const t of [-c.half, 0, c.half]) add(c.x + c.r * Math.cos(c.yaw + t), c.y + c.r * Math.sin(c.yaw + t));
+    add(ping.T_world_tx[0], ping.T_world_tx[1]);
+    add(ping.T_world_rx[0], ping.T_world_rx[1]);
+    for (const t of [-c.arc.half, 0, c.arc.half]) add(...placeAt(c.arc, t));
   }
   return box;
 }

@@ -3,97 +3,65 @@
 
 /** Cells: one quad per tile, its bytes a layer of a texture array, its tone from the ramp. */
 import { tileSide } from '../model/map_store.ts';
-import type { Tile } from '../model/method_map.ts';
+import type { MethodMap, Tile } from '../model/method_map.ts';
 import type { Camera } from '../model/model.ts';
+import { onCellsOf } from './blended.ts';
 import type { Area } from './camera.ts';
 import { GlBuffer, GlProgram, viewGlsl } from './gl_program.ts';
-import type { Palette } from './palette.ts';
+import { type Resident, TileTexture } from './gl_tiles.ts';
+import type { ColourName, Palette } from './palette.ts';
 import { filterable, freeSpan, occupiedSpan } from './ramp.ts';
 import { type GridLayer, nearestFromScale } from './scene.ts';
 
 const vertex = `${viewGlsl}
 uniform vec3 u_grid; // origin and side of a tile, metres
-in vec3 a_tile;      // column, row, layer
-out vec3 v_at;
+in vec4 a_tile;      // column, row, layer of the grid and of the one it is blended with; -1: none
+out vec4 v_at;
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  v_at = vec3(corner, a_tile.z);
+  v_at = vec4(corner, a_tile.zw);
   gl_Position = clip(u_grid.xy + (a_tile.xy + corner) * u_grid.z);
 }`;
+/** Colours of a blend are those of `blendedColour`. */
 const fragment = `
-uniform sampler2DArray u_tiles;
-uniform vec3 u_unknown, u_free, u_occupied;
-uniform vec2 u_share; // tone, alpha
-in vec3 v_at;
+uniform sampler2DArray u_tiles, u_others;
+uniform vec3 u_unknown, u_free, u_occupied, u_fuller, u_emptier;
+uniform vec3 u_share; // tone, alpha, blend or -1
+in vec4 v_at;
 out vec4 colour;
-void main() {
-  float p = (texture(u_tiles, v_at).r * 255.0 - 1.0) / 254.0;
-  float f = clamp((0.5 - p) / ${freeSpan}, 0.0, 1.0);
+vec2 ramp(float byte) { // free, occupied
+  float p = byte < 0.0 ? 0.5 : (byte * 255.0 - 1.0) / 254.0;
   float o = clamp((p - 0.5) / ${occupiedSpan}, 0.0, 1.0);
-  vec3 c = mix(mix(u_unknown, u_free, f), u_occupied, o * o * u_share.x);
+  return vec2(clamp((0.5 - p) / ${freeSpan}, 0.0, 1.0), o * o);
+}
+vec3 tone(vec2 r) { return mix(mix(u_unknown, u_free, r.x), u_occupied, r.y); }
+void main() {
+  vec2 a = ramp(v_at.z < 0.0 ? -1.0 : texture(u_tiles, v_at.xyz).r);
+  vec3 c = tone(vec2(a.x, a.y * u_share.x));
+  if (u_share.z >= 0.0) {
+    vec2 b = ramp(v_at.w < 0.0 ? -1.0 : texture(u_others, v_at.xyw).r);
+    vec3 ground = mix(u_unknown, u_free, max(a.x, b.x));
+    vec3 both = ground * (1.0 - max(a.y, b.y)) + u_occupied * min(a.y, b.y) + u_fuller * max(0.0, a.y - b.y) + u_emptier * max(0.0, b.y - a.y);
+    c = mix(mix(tone(a), both, min(1.0, 2.0 * u_share.z)), tone(b), max(0.0, 2.0 * u_share.z - 1.0));
+  }
   colour = vec4(c, 1.0) * u_share.y;
 }`;
 
 /** Milliseconds of a frame that uploads may take; eight tiles go up in any case. */
 const uploadMs = 5;
 const uploadLeast = 8;
-const firstLayers = 64;
+const colours: readonly [string, ColourName][] = [['u_unknown', 'unk'], ['u_free', 'free'], ['u_occupied', 'occ'], ['u_fuller', 'fuller'], ['u_emptier', 'emptier']];
 
-interface Resident { layer: number; version: number; seen: number }
+interface Bound { map: MethodMap; texture: TileTexture }
+interface Seen { c0: number; c1: number; r0: number; r1: number }
 
-/** The tiles of one method on the graphics card. */
-class TileTexture {
-  readonly residents = new Map<string, Resident>();
-  texture: WebGLTexture | null = null;
-  capacity = 0;
-  private free: number[] = [];
-
-  constructor(private readonly gl: WebGL2RenderingContext, private readonly limit: number) {}
-
-  /** Room for so many tiles; growing forgets what is there, it is uploaded anew. */
-  reserve(tiles: number): void {
-    const wanted = Math.min(this.limit, Math.max(firstLayers, 2 ** Math.ceil(Math.log2(Math.max(1, tiles)))));
-    if (wanted <= this.capacity) return;
-    const { gl } = this;
-    gl.deleteTexture(this.texture);
-    this.texture = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.texture);
-    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.R8, tileSide, tileSide, wanted);
-    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
-    this.capacity = wanted;
-    this.residents.clear();
-    this.free = Array.from({ length: wanted }, (_, i) => wanted - 1 - i);
-  }
-
-  /** A layer for a tile; one that is not seen in this frame gives way. */
-  layerFor(key: string, frame: number): Resident | null {
-    const known = this.residents.get(key);
-    if (known) return known;
-    let layer = this.free.pop();
-    if (layer === undefined) {
-      for (const [old, resident] of this.residents) {
-        if (resident.seen === frame) continue;
-        this.residents.delete(old);
-        layer = resident.layer;
-        break;
-      }
-    }
-    if (layer === undefined) return null;
-    const made = { layer, version: -1, seen: frame };
-    this.residents.set(key, made);
-    return made;
-  }
-
-  drop(known: ReadonlyMap<string, Tile>): void {
-    for (const [key, resident] of this.residents) {
-      if (known.has(key)) continue;
-      this.residents.delete(key);
-      this.free.push(resident.layer);
-    }
-  }
-
-  destroy(): void { this.gl.deleteTexture(this.texture); }
+function seenTiles(camera: Camera, area: Area, { x, y }: { x: number; y: number }, side: number): Seen {
+  const halfX = area.width / 2 / camera.s;
+  const halfY = area.height / 2 / camera.s;
+  return {
+    c0: Math.floor((camera.x - halfX - x) / side), c1: Math.floor((camera.x + halfX - x) / side),
+    r0: Math.floor((camera.y - halfY - y) / side), r1: Math.floor((camera.y + halfY - y) / side),
+  };
 }
 
 export class GlGrid {
@@ -102,7 +70,7 @@ export class GlGrid {
   private readonly array: WebGLVertexArrayObject;
   private readonly textures = new Map<string, TileTexture>();
   private readonly bytes = new Uint8Array(tileSide * tileSide);
-  private data = new Float32Array(3 * 256);
+  private data = new Float32Array(4 * 256);
   private readonly layerLimit: number;
   private frame = 0;
   private uploaded = 0;
@@ -119,7 +87,7 @@ export class GlGrid {
     gl.bindBuffer(gl.ARRAY_BUFFER, this.instances.buffer);
     const place = gl.getAttribLocation(this.program.program, 'a_tile');
     gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 12, 0);
+    gl.vertexAttribPointer(place, 4, gl.FLOAT, false, 16, 0);
     gl.vertexAttribDivisor(place, 1);
   }
 
@@ -130,54 +98,68 @@ export class GlGrid {
     this.beginMs = performance.now();
   }
 
-  draw({ map, tone, alpha }: GridLayer, camera: Camera, area: Area, view: readonly number[], palette: Palette): void {
-    if (!map.grid || map.tiles.size === 0 || alpha <= 0) return;
+  draw({ map, tone, alpha, against }: GridLayer, camera: Camera, area: Area, view: readonly number[], palette: Palette): void {
+    const other = against ? onCellsOf(against.map, map) : null;
+    if (!map.grid || map.tiles.size + (other?.tiles.size ?? 0) === 0 || alpha <= 0) return;
     const { gl, program } = this;
-    const texture = this.textures.get(map.method) ?? new TileTexture(gl, this.layerLimit);
-    this.textures.set(map.method, texture);
-    texture.reserve(map.tiles.size);
-    if (texture.residents.size > map.tiles.size) texture.drop(map.tiles);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture.texture);
-    const filter = camera.s < nearestFromScale ? gl.LINEAR : gl.NEAREST;
-    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAG_FILTER, filter);
-    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, filter);
+    const own = { map, texture: this.bind(map, gl.TEXTURE0, camera.s) };
+    const partner = other && { map: other, texture: this.bind(other, gl.TEXTURE1, camera.s) };
     const side = map.grid.cellM * tileSide;
-    const count = this.gather(map.tiles, texture, camera, area, map.grid.x, map.grid.y, side);
+    const count = this.gather(own, partner, seenTiles(camera, area, map.grid, side));
     if (count === 0) return;
     program.use();
-    this.instances.write(this.data, 3 * count);
+    this.instances.write(this.data, 4 * count);
     gl.bindVertexArray(this.array);
     program.setInt('u_tiles', 0);
+    program.setInt('u_others', partner ? 1 : 0);
     program.set('u_view', ...view);
     program.set('u_grid', map.grid.x, map.grid.y, side);
-    program.set('u_unknown', ...palette.rgb.unk);
-    program.set('u_free', ...palette.rgb.free);
-    program.set('u_occupied', ...palette.rgb.occ);
-    program.set('u_share', tone, alpha);
+    for (const [uniform, name] of colours) program.set(uniform, ...palette.rgb[name]);
+    program.set('u_share', tone, alpha, against?.blend ?? -1);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+    gl.activeTexture(gl.TEXTURE0);
   }
 
-  /** Tiles that are seen, uploaded as far as the frame's time goes; returns how many can be drawn. */
-  private gather(tiles: ReadonlyMap<string, Tile>, texture: TileTexture, camera: Camera, area: Area, x: number, y: number, side: number): number {
-    const halfX = area.width / 2 / camera.s;
-    const halfY = area.height / 2 / camera.s;
-    const [c0, c1] = [Math.floor((camera.x - halfX - x) / side), Math.floor((camera.x + halfX - x) / side)];
-    const [r0, r1] = [Math.floor((camera.y - halfY - y) / side), Math.floor((camera.y + halfY - y) / side)];
+  private bind(map: MethodMap, unit: number, s: number): TileTexture {
+    const { gl } = this;
+    const texture = this.textures.get(map.method) ?? new TileTexture(gl, this.layerLimit);
+    this.textures.set(map.method, texture);
+    gl.activeTexture(unit);
+    texture.reserve(map.tiles.size);
+    if (texture.residents.size > map.tiles.size) texture.drop(map.tiles);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture.texture);
+    const filter = s < nearestFromScale ? gl.LINEAR : gl.NEAREST;
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAG_FILTER, filter);
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, filter);
+    return texture;
+  }
+
+  /** Tiles that are seen, of either grid, uploaded as far as the frame's time goes; returns how many can be drawn. */
+  private gather(own: Bound, other: Bound | null, { c0, c1, r0, r1 }: Seen): number {
     let count = 0;
-    for (const [key, tile] of tiles) {
-      if (tile.column < c0 || tile.column > c1 || tile.row < r0 || tile.row > r1) continue;
-      const resident = texture.layerFor(key, this.frame);
-      if (!resident) continue;
-      resident.seen = this.frame;
-      if (resident.version !== tile.version && !this.upload(tile, resident) && resident.version < 0) continue;
-      if (3 * count + 3 > this.data.length) this.grow();
-      this.data[3 * count] = tile.column;
-      this.data[3 * count + 1] = tile.row;
-      this.data[3 * count + 2] = resident.layer;
+    const add = (key: string, { column, row }: Tile): void => {
+      if (column < c0 || column > c1 || row < r0 || row > r1) return;
+      const layer = this.layerOf(own, key, this.gl.TEXTURE0);
+      const second = other ? this.layerOf(other, key, this.gl.TEXTURE1) : -1;
+      if (layer < 0 && second < 0) return;
+      if (4 * count + 4 > this.data.length) this.grow();
+      this.data.set([column, row, layer, second], 4 * count);
       count++;
-    }
+    };
+    for (const [key, tile] of own.map.tiles) add(key, tile);
+    if (other) for (const [key, tile] of other.map.tiles) if (!own.map.tiles.has(key)) add(key, tile);
     return count;
+  }
+
+  /** Where a tile is on the card; -1 where there is none, or it must wait. */
+  private layerOf({ map, texture }: Bound, key: string, unit: number): number {
+    const tile = map.tiles.get(key);
+    const resident = tile && texture.layerFor(key, this.frame);
+    if (!tile || !resident) return -1;
+    resident.seen = this.frame;
+    this.gl.activeTexture(unit);
+    if (resident.tile !== tile && !this.upload(tile, resident) && !resident.tile) return -1;
+    return resident.layer;
   }
 
   private grow(): void {
@@ -194,7 +176,7 @@ export class GlGrid {
     const { gl } = this;
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, resident.layer, tileSide, tileSide, 1, gl.RED, gl.UNSIGNED_BYTE, filterable(tile.bytes, this.bytes));
-    resident.version = tile.version;
+    resident.tile = tile;
     this.uploaded++;
     return true;
   }

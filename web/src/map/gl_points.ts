@@ -107,7 +107,7 @@ export class GlPoints {
     marks.set('u_mark', radius, 1.25 * radius + pixel);
     marks.set('u_shape', slot);
     marks.set('u_pixel', pixel);
-    marks.set('u_open_label', map.method === 'centerline' ? -1 : openLabel);
+    marks.set('u_open_label', map.name === 'centerline' ? -1 : openLabel);
     marks.set('u_colour', ...palette.rgb[slotColour[slot]], alpha);
     gl.drawArrays(gl.POINTS, 0, Math.ceil(map.slots / everyNth));
   }

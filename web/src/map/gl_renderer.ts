@@ -3,13 +3,15 @@
 
 import type { Area } from './camera.ts';
 import { crossSegments } from './crosses.ts';
+import { ellipticBounds } from './elliptic_bounds.ts';
 import { GlGrid } from './gl_grid.ts';
 import { GlLines } from './gl_lines.ts';
 import { GlPoints } from './gl_points.ts';
 import { GlBuffer } from './gl_program.ts';
-import type { GroundRenderer, PaneScene, Scene } from './scene.ts';
+import { boundAlpha, boundWidth, type GroundRenderer, type PaneScene, type Scene } from './scene.ts';
+import { slotColour } from './slots.ts';
 
-interface Parts { grid: GlGrid; points: GlPoints; lines: GlLines; crosses: GlBuffer; walls: GlBuffer; laser: GlBuffer; path: GlBuffer }
+interface Parts { grid: GlGrid; points: GlPoints; lines: GlLines; crosses: GlBuffer; walls: GlBuffer; laser: GlBuffer; path: GlBuffer; ellipses: GlBuffer }
 
 /** Layers 1 to 8 of the map with WebGL2. After a lost context all is built anew from the stores. */
 export class GlRenderer implements GroundRenderer {
@@ -51,7 +53,7 @@ export class GlRenderer implements GroundRenderer {
     const buffer = (): GlBuffer => new GlBuffer(gl);
     return {
       grid: new GlGrid(gl), points: new GlPoints(gl), lines: new GlLines(gl), crosses: buffer(), walls: buffer(), laser: buffer(),
-      path: buffer(),
+      path: buffer(), ellipses: buffer(),
     };
   }
 
@@ -112,7 +114,14 @@ export class GlRenderer implements GroundRenderer {
     if (pane.truth) line(parts.walls, scene.walls.length / 4, 4, { colour: rgb.ink3, alpha: 0.7, widthPx: 1, dash: [1, 2.5] });
     if (pane.laser) this.laser(scene, parts, view);
     if (pane.path) line(parts.path, scene.pathLength / 2 - 1, 2, { colour: rgb.accent, alpha: 0.55, widthPx: 1.5 });
-    for (const layer of pane.points) if (layer.bounds) parts.points.drawBounds(layer, camera.s, ratio, view, palette);
+    for (const layer of pane.points) {
+      if (!layer.bounds) continue;
+      parts.points.drawBounds(layer, camera.s, ratio, view, palette);
+      const ellipses = ellipticBounds(layer.map, layer.everyNth, scene.arcOf);
+      if (ellipses.length === 0) continue;
+      parts.ellipses.write(ellipses, ellipses.length);
+      line(parts.ellipses, ellipses.length / 4, 4, { colour: rgb[slotColour[layer.slot]], alpha: boundAlpha(palette.dark) * layer.alpha, widthPx: boundWidth(camera.s) });
+    }
     for (const layer of [...pane.points].reverse()) parts.points.drawMarks(layer, camera.s, ratio, view, palette, scene.centerlineLabel);
   }
 

@@ -10,15 +10,15 @@ import { FrameClock } from './frame_clock.ts';
 import { Gestures } from './gestures.ts';
 import { mapTags } from './map_tags.ts';
 import type { MapPlace, MapView, Measure, PaneArea, Pick, RendererChoice, ScaleBar, StepSwitches } from './map_view.ts';
-import { drawOverlay, halfAngles, type OverlayState, robotPose, shownPings } from './overlay.ts';
+import { arcsOf, drawOverlay, halfAngles, type OverlayState, robotPose, robotRadius, shownPings } from './overlay.ts';
 import { type Palette, readPalette } from './palette.ts';
 import { Pen } from './pen.ts';
-import { makeCanvas, makeGround, wallSegments } from './map_parts.ts';
+import { makeCanvas, makeGround, pictureOf, wallSegments } from './map_parts.ts';
 import { nextPoint, pickAt, type PointPick } from './pick.ts';
 import { scaleBar } from './scale_bar.ts';
-import type { GroundRenderer, PaneScene, Scene } from './scene.ts';
+import { type GroundRenderer, holdsMap, type PaneScene, type Scene } from './scene.ts';
 import { buildPanes } from './scene_builder.ts';
-import { stepBox } from './step_layer.ts';
+import { afterPart, stepBox } from './step_layer.ts';
 import { Tags } from './tags.ts';
 
 const [explainScale, stepScale] = [300, 340];
@@ -128,13 +128,14 @@ export class MapPainter implements MapView {
   setStep(stepped: Stepped | null, part: number, cell: { i: number; j: number } | null, switches: StepSwitches): void {
     const before = this.overlay.step?.stepped;
     this.overlay.step = stepped && { stepped, part, cell, switches };
-    if (this.overlay.step && stepped !== before) this.flyTo(stepBox(this.overlay.step), stepScale);
+    if (this.overlay.step && stepped !== before) this.flyTo(stepBox(this.overlay.step, robotRadius(this.model)), stepScale);
     this.clock.soon();
   }
 
   setGoal(goal: { x: number; y: number } | null): void { this.overlay.goal = goal; this.clock.soon(); }
   setMotion(motion: { v: number; w: number } | null): void { this.overlay.motion = motion; this.clock.soon(); }
   setKeepClear(elements: readonly HTMLElement[]): void { this.tags.setKeepClear(elements); }
+  setCovered(px: number): void { this.control.cover(px); this.clock.soon(); }
 
   setSensor(sensor: number | null): void {
     this.overlay.sensor = sensor;
@@ -149,12 +150,7 @@ export class MapPainter implements MapView {
   /** Both canvases drawn anew and read in the same turn: their buffers are gone after it. */
   async picture(): Promise<Blob> {
     this.draw(performance.now());
-    const both = document.createElement('canvas');
-    both.width = this.over.width;
-    both.height = this.over.height;
-    const g = both.getContext('2d');
-    for (const canvas of this.host.querySelectorAll<HTMLCanvasElement>('canvas.map-canvas')) g?.drawImage(canvas, 0, 0);
-    return await new Promise((resolve, reject) => both.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The map is too large for a picture.')))));
+    return await pictureOf(this.host, this.over.width, this.over.height);
   }
 
   retheme(): void {
@@ -236,10 +232,11 @@ export class MapPainter implements MapView {
 
   private makePanes(): PaneScene[] {
     const { model } = this;
-    // The frames before the ping came with the answer; methods without cells of their own show what is there now.
-    const before = this.overlay.step && model.framesOf(this.overlay.step.stepped.id)?.maps;
-    const maps = before && before.size > 0 ? before : model.maps;
-    return buildPanes({ model, maps, width: this.width, height: this.height, s: this.camera.s, slow: this.clock.slow });
+    const { step } = this.overlay;
+    // The map before the ping came with the answer; the one after it is that of the moment that is held.
+    const before = step && step.part < afterPart ? model.framesOf(step.stepped.id)?.maps : undefined;
+    const maps = before && before.size > 0 ? new Map([...model.maps, ...before]) : model.maps;
+    return buildPanes({ model, maps, stepped: step?.stepped.method ?? null, width: this.width, height: this.height, s: this.camera.s, slow: this.clock.slow });
   }
 
   private draw(now: number): void {
@@ -249,8 +246,10 @@ export class MapPainter implements MapView {
     const { moving } = this.control.update(now);
     this.overlay.calm = this.control.isCalm;
     const late = this.ground.draw(this.scene());
+    // When the map was first there, ms since the page was asked for: for who measures it from outside.
+    if (!this.host.dataset['mapMs'] && this.scenes.some(holdsMap)) this.host.dataset['mapMs'] = String(Math.round(performance.now()));
     this.drawOver();
-    this.tags.show(mapTags(this.model, this.overlay, this.camera, this.firstArea()), this.width, this.height);
+    this.tags.show(mapTags(this.model, this.overlay, this.camera, this.firstArea()), this.width - this.control.coveredPx, this.height);
     this.tell();
     if (moving || late) this.clock.soon();
   }
@@ -261,7 +260,7 @@ export class MapPainter implements MapView {
     if (source !== this.walls.of) this.walls = { of: source, segments: wallSegments(source ?? []), version: this.walls.version + 1 };
     return {
       camera: this.camera, palette: this.palette, panes: this.scenes, walls: this.walls.segments, wallsVersion: this.walls.version,
-      laser: model.laser, path: model.path, pathLength: model.pathLength, centerlineLabel: model.welcome?.labels.indexOf('centerline') ?? -1,
+      laser: model.laser, path: model.path, pathLength: model.pathLength, arcOf: arcsOf(model), centerlineLabel: model.welcome?.labels.indexOf('centerline') ?? -1,
     };
   }
 

@@ -24,6 +24,16 @@ export function makeCanvas(host: HTMLElement, className: string): HTMLCanvasElem
   return canvas;
 }
 
+/** All canvases of the map over one another, as PNG. */
+export function pictureOf(host: HTMLElement, width: number, height: number): Promise<Blob> {
+  const both = document.createElement('canvas');
+  both.width = width;
+  both.height = height;
+  const g = both.getContext('2d');
+  for (const canvas of host.querySelectorAll<HTMLCanvasElement>('canvas.map-canvas')) g?.drawImage(canvas, 0, 0);
+  return new Promise((resolve, reject) => both.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The map is too large for a picture.')))));
+}
+
 export function wallSegments(walls: readonly (readonly (readonly number[])[])[]): Float32Array<ArrayBuffer> {
   const out: number[] = [];
   for (const wall of walls) {

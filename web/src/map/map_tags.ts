@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
+import { runningOf } from '../model/instances.ts';
 import type { Model } from '../model/model.ts';
 import type { Camera } from '../model/model.ts';
 import { type Area, pixelOf } from './camera.ts';
+import { arcOfRecord, placeAt } from './echo_arc.ts';
 import { robotRadius, type OverlayState, shownPings } from './overlay.ts';
-import { stepPose } from './step_layer.ts';
+import { stepArc, stepPose } from './step_layer.ts';
 import type { Tag } from './tags.ts';
 
 const rejectedFromScale = 34;
@@ -26,7 +28,7 @@ export function mapTags(model: Model, state: OverlayState, camera: Camera, area:
   const rejected = shown.findLast((p) => p.outcome === 'rejected' && (newest?.t ?? 0) - p.t < rejectedForS);
   if (!rejected || !(rejected.rangeM > 0)) return [];
   const reason = model.welcome?.rejections[rejected.reason]?.name ?? 'unknown reason';
-  const place = at(rejected.txX + rejected.rangeM * Math.cos(rejected.txYaw), rejected.txY + rejected.rangeM * Math.sin(rejected.txYaw));
+  const place = at(...placeAt(arcOfRecord(rejected, rejected.rangeM, 0), 0));
   return [{ ...place, text: `Rejected: ${reason.replaceAll('_', ' ')}`, kind: 'rejected' }];
 }
 
@@ -35,7 +37,7 @@ type At = (x: number, y: number) => { px: number; py: number };
 function explainTags(model: Model, { explanation: e, hoveredPing }: OverlayState, at: At): Tag[] {
   if (!e) return [];
   const tags: Tag[] = [];
-  const short = model.welcome?.catalogue.find((m) => m.name === e.method)?.short ?? e.method;
+  const short = runningOf(model.methods, e.method)?.label ?? e.method;
   if (e.kind === 'point') tags.push({ ...at(e.x, e.y), text: e.bound_m === null ? short : `${short} ±${(100 * e.bound_m).toFixed(1)} cm`, kind: '' });
   const hovered = e.support.find((s) => s.ping.ping === hoveredPing)?.ping;
   if (hovered) tags.push({ ...at(hovered.T_world_tx[0], hovered.T_world_tx[1]), text: `Ping ${thousands(hovered.ping)}, sensor ${hovered.rx}`, kind: '' });
@@ -44,14 +46,15 @@ function explainTags(model: Model, { explanation: e, hoveredPing }: OverlayState
 
 function stepTags(model: Model, { step }: OverlayState, at: At): Tag[] {
   if (!step) return [];
-  const { x, y, yaw, robot } = stepPose(step);
+  const { tx, rx, robot } = stepPose(step);
   const { ping, true_pose: truth } = step.stepped;
-  const tags: Tag[] = [{ ...at(x, y), text: `Sensor ${ping.tx}`, kind: '', beside: true }];
-  const half = step.switches.ray ? 0 : ping.beam_width / 2;
+  const tags: Tag[] = [{ ...at(tx[0], tx[1]), text: `Sensor ${ping.tx}`, kind: '', side: 'right' }];
   if (ping.range_m !== null) {
-    const end = at(x + ping.range_m * Math.cos(yaw - half), y + ping.range_m * Math.sin(yaw - half));
-    tags.push({ ...end, text: ping.outcome === 'rejected' ? capital(`rejected: ${ping.reason ?? ''}`) : `r = ${metres(ping.range_m)}`, kind: ping.outcome === 'rejected' ? 'rejected' : '', beside: true });
+    const arc = stepArc(step);
+    const end = at(...placeAt(arc, -arc.half));
+    tags.push({ ...end, text: ping.outcome === 'rejected' ? capital(`rejected: ${ping.reason ?? ''}`) : `r = ${metres(ping.range_m)}`, kind: ping.outcome === 'rejected' ? 'rejected' : '', side: 'right' });
   }
-  if (step.switches.truePose && truth) tags.push({ ...at(robot[0], robot[1] - robotRadius(model)), text: 'what if', kind: '' });
+  if (ping.tx !== ping.rx) tags.push({ ...at(rx[0], rx[1]), text: `Sensor ${ping.rx}`, kind: '', side: 'left' });
+  if (step.switches.truePose && truth) tags.push({ ...at(robot[0], robot[1] - robotRadius(model)), text: 'what if', kind: '', side: 'below' });
   return tags;
 }

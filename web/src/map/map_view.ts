@@ -75,6 +75,8 @@ export interface MapView {
   setMotion(motion: { v: number; w: number } | null): void;
   /** Areas that tags keep clear of: Stop. */
   setKeepClear(elements: readonly HTMLElement[]): void;
+  /** A sheet lies over so many pixels at the right: fitting and flights go beside it. */
+  setCovered(rightPx: number): void;
 
   /** The map as it is seen, as PNG. */
   picture(): Promise<Blob>;

@@ -6,11 +6,12 @@ import type { Model } from '../model/model.ts';
 import type { PingRecord } from '../model/ping_store.ts';
 import type { Explanation } from '../protocol/messages.ts';
 import { drawArcs, drawCones } from './cones.ts';
+import { arcOfRecord, type EchoArc } from './echo_arc.ts';
 import { dimAlpha, drawExplanation, outlineCell } from './explain_layer.ts';
 import { withAlpha } from './palette.ts';
 import type { Pen } from './pen.ts';
 import { drawGoal, drawMotion, drawRobot, type RobotPose } from './robot.ts';
-import { markSlots } from './slots.ts';
+import { markSlots, type MarkSlot } from './slots.ts';
 import { drawCellLines, drawStep, stepPose, type StepView } from './step_layer.ts';
 
 const fadeS = 0.9;
@@ -37,6 +38,15 @@ export function robotRadius(model: Model): number { return model.welcome?.robot.
 export function halfAngles(model: Model): (ping: PingRecord) => number {
   const widths = new Map(model.welcome?.robot.sensors.map((s) => [s.id, s.beam_width / 2]));
   return (ping) => widths.get(ping.rx) ?? defaultHalfAngle;
+}
+
+/** The arc of an echo among the pings that the page remembers. */
+export function arcsOf(model: Model): (ping: number) => EchoArc | null {
+  const halfAngleOf = halfAngles(model);
+  return (id) => {
+    const ping = model.pings.byId(id);
+    return ping?.outcome === 'echo' ? arcOfRecord(ping, ping.rangeM, halfAngleOf(ping)) : null;
+  };
 }
 
 /** Pings whose arcs are on the map, oldest first: those of the last scan, the last 250, of one sensor, or rejected for one reason. */
@@ -78,10 +88,12 @@ export function drawOverlay(pen: Pen, model: Model, state: OverlayState): void {
   const pose = robotPose(model, state);
   if (pose && !explaining) robot(pen, model, state, pose);
   if (explaining) explanation(pen, model, explaining, state.hoveredPing);
-  if (state.step) drawStep(pen, state.step, robotRadius(model));
+  if (state.step) drawStep(pen, state.step, slotOf(model, state.step.stepped.method), robotRadius(model));
   if (state.measure) measure(pen, state.measure);
   if (state.cursor && model.view.name === 'compare' && model.view.compare.mode === 'side') cross(pen, state.cursor);
 }
+
+function slotOf(model: Model, method: string): MarkSlot { return markSlots(model.methods, model.view.shown).get(method) ?? 1; }
 
 function cones(pen: Pen, model: Model, state: OverlayState): void {
   const pings = shownPings(model);
@@ -113,8 +125,7 @@ function robot(pen: Pen, model: Model, state: OverlayState, pose: RobotPose): vo
 }
 
 function explanation(pen: Pen, model: Model, e: Explanation, hovered: number | null): void {
-  const slot = markSlots(model.methods, model.view.shown).get(e.method) ?? 1;
-  drawExplanation(pen, e, hovered, slot, robotRadius(model));
+  drawExplanation(pen, e, hovered, slotOf(model, e.method), robotRadius(model));
   const grid = e.cell ? model.maps.get(e.cell.method)?.grid : null;
   if (e.kind === 'cell' && e.cell && grid) outlineCell(pen, grid.x + (e.cell.i + 0.5) * grid.cellM, grid.y + (e.cell.j + 0.5) * grid.cellM, grid.cellM);
 }

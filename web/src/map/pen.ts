@@ -4,6 +4,7 @@
 /** Drawing on a 2-D canvas in world metres. */
 import type { Camera } from '../model/model.ts';
 import { type Area, pixelOf } from './camera.ts';
+import { eccentric, type EchoArc } from './echo_arc.ts';
 import type { Palette } from './palette.ts';
 import type { MarkSlot } from './slots.ts';
 
@@ -31,11 +32,18 @@ export class Pen {
     this.g.arc(this.x(x), this.y(y), Math.max(0, radiusM * this.s), -to, -from);
   }
 
-  /** Outline of a sector: sensor, edge, arc, edge. */
-  sector(x: number, y: number, yaw: number, half: number, radiusM: number): void {
+  /** Adds the piece of an echo's arc from `from` to `to` off its axis, circle or ellipse. */
+  echo(arc: EchoArc, from = -arc.half, to = arc.half): void {
+    if (arc.rangeM === arc.semiMinorM) { this.arc(arc.x, arc.y, arc.rangeM, arc.yaw + from, arc.yaw + to); return; }
+    const [major, minor] = [Math.max(0, arc.rangeM * this.s), Math.max(0, arc.semiMinorM * this.s)];
+    this.g.ellipse(this.x(arc.x), this.y(arc.y), major, minor, -arc.focal, -eccentric(arc, to), -eccentric(arc, from));
+  }
+
+  /** Outline of what an echo's beam covers: centre, edge, arc, edge. */
+  sector(arc: EchoArc): void {
     this.g.beginPath();
-    this.move(x, y);
-    this.arc(x, y, radiusM, yaw - half, yaw + half);
+    this.move(arc.x, arc.y);
+    this.echo(arc);
     this.g.closePath();
   }
 

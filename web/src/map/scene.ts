@@ -5,10 +5,18 @@
 import type { Camera } from '../model/model.ts';
 import type { MethodMap } from '../model/method_map.ts';
 import type { Area } from './camera.ts';
+import type { EchoArc } from './echo_arc.ts';
 import type { Palette } from './palette.ts';
 import type { MarkSlot } from './slots.ts';
 
-export interface GridLayer { map: MethodMap; /** share of `occ` that an occupied cell gets */ tone: number; alpha: number }
+export interface GridLayer {
+  map: MethodMap;
+  /** share of `occ` that an occupied cell gets */
+  tone: number;
+  alpha: number;
+  /** A second grid that this one is compared with: 0 this one alone, 0.5 where they agree and where not, 1 the second alone. */
+  against?: { map: MethodMap; blend: number };
+}
 
 export interface PointLayer { map: MethodMap; slot: MarkSlot; alpha: number; bounds: boolean; everyNth: number }
 
@@ -25,6 +33,9 @@ export interface PaneScene {
   path: boolean;
 }
 
+/** Something of a map is seen, not the empty ground alone. */
+export const holdsMap = ({ grids, points }: PaneScene): boolean => grids.some((g) => g.map.tiles.size > 0) || points.some((p) => p.map.points > 0);
+
 export interface Scene {
   camera: Camera;
   palette: Palette;
@@ -35,6 +46,8 @@ export interface Scene {
   laser: Float32Array;
   path: Float32Array;
   pathLength: number;
+  /** Arc of a ping that is still remembered. */
+  arcOf: (ping: number) => EchoArc | null;
   /** Index of the label 'centerline': such points have open marks in the maps of other methods. */
   centerlineLabel: number;
 }

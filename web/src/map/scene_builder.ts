@@ -9,6 +9,8 @@ import { paleTone } from './ramp.ts';
 import { boundsFromScale, type GridLayer, type PaneScene, type PointLayer } from './scene.ts';
 import { markSlots } from './slots.ts';
 
+/** Cells that change are drawn over the others, so these are paler in step mode. */
+const stepTone = 0.6;
 const manyPoints = 50_000;
 const thinBelowScale = 34;
 const mostPoints = 4;
@@ -18,6 +20,8 @@ const slowBoundsFrom = 5000;
 export interface SceneWish {
   model: Model;
   maps: ReadonlyMap<string, MethodMap>;
+  /** Method whose step is shown; null: none. */
+  stepped: string | null;
   width: number;
   height: number;
   s: number;
@@ -58,10 +62,16 @@ export function buildPanes(wish: SceneWish): PaneScene[] {
   const methods = comparedMethods(model).slice(0, mostPanes(width));
   const { mode, blend, swipe } = model.view.compare;
   if (mode === 'side') return sideAreas(methods.length, width, height, mostPanes(width)).map((area, i) => comparePane(wish, area, area, [methods[i] ?? ''], [1]));
-  if (mode === 'blend') return [comparePane(wish, whole, whole, methods, [Math.min(1, 2 * (1 - blend)), Math.min(1, 2 * blend)])];
+  if (mode === 'blend') return [withBlend(comparePane(wish, whole, whole, methods, [Math.min(1, 2 * (1 - blend)), Math.min(1, 2 * blend)]), methods, blend)];
   const at = Math.round(width * swipe);
   const clips = [{ ...whole, width: at }, { ...whole, x: at, width: width - at }];
   return methods.map((method, i) => comparePane(wish, whole, clips[i] ?? whole, [method], [1]));
+}
+
+/** Of two grids a blend by opacity would show neither: what both hold and what one holds alone is coloured instead. */
+function withBlend(pane: PaneScene, methods: readonly string[], blend: number): PaneScene {
+  const [first, second] = methods.map((m) => pane.grids.find((g) => g.map.method === m));
+  return first && second ? { ...pane, grids: [{ map: first.map, tone: 1, alpha: 1, against: { map: second.map, blend } }] } : pane;
 }
 
 function layersOf(wish: SceneWish): Pick<PaneScene, 'crosses' | 'truth' | 'laser' | 'path'> {
@@ -80,14 +90,23 @@ function pointLayer(wish: SceneWish, map: MethodMap, alpha: number): PointLayer 
 function mapPane(wish: SceneWish, area: Area): PaneScene {
   const { model, maps } = wish;
   const stepping = model.view.name === 'step';
-  const shown = model.view.shown.map((m) => maps.get(m)).filter((m): m is MethodMap => m !== undefined);
+  // Step mode is about one method: its points over the first grid, or its own cells alone.
+  const names = stepping ? steppedMethods(wish) : model.view.shown;
+  const shown = names.map((m) => maps.get(m)).filter((m): m is MethodMap => m !== undefined);
   const points = shown.filter((m) => isPoints(model, m.method)).slice(0, mostPoints);
   const grids = shown.filter((m) => !isPoints(model, m.method));
-  const tone = stepping ? 0.6 : points.length > 0 ? paleTone : 1;
+  const tone = points.length > 0 ? paleTone : stepping ? stepTone : 1;
   return {
     area, clip: area, methods: shown.map((m) => m.method), grids: grids.map((map, i): GridLayer => ({ map, tone, alpha: i === 0 ? 1 : 0.5 })),
-    points: stepping ? [] : points.map((map) => pointLayer(wish, map, 1)), ...layersOf(wish), crosses: !stepping,
+    points: points.map((map) => pointLayer(wish, map, 1)), ...layersOf(wish), crosses: !stepping,
   };
+}
+
+function steppedMethods({ model, stepped }: SceneWish): string[] {
+  const { shown } = model.view;
+  if (stepped === null || !isPoints(model, stepped)) return stepped === null ? shown : [stepped];
+  const ground = shown.find((m) => !isPoints(model, m));
+  return ground === undefined ? [stepped] : [stepped, ground];
 }
 
 /** Methods over the explored area alone, so that the ground favours nobody. */

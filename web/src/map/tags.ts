@@ -2,10 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /** Layer 14: at most three short labels as DOM, kept inside the map and clear of Stop. */
-export interface Tag { px: number; py: number; text: string; kind: '' | 'rejected'; /** beside it, not above it */ beside?: boolean }
+export interface Tag { px: number; py: number; text: string; kind: '' | 'rejected'; /** where it lies if nothing is there; above else */ side?: Side }
 
 const most = 3;
 const gapPx = 10;
+
+export type Side = 'above' | 'below' | 'left' | 'right';
+const allSides: readonly Side[] = ['above', 'below', 'right', 'left'];
+interface Box { x: number; y: number; w: number; h: number }
+
+function boxAt(side: Side, { px, py }: Tag, w: number, h: number): Box {
+  if (side === 'above') return { x: px - w / 2, y: py - h - gapPx, w, h };
+  if (side === 'below') return { x: px - w / 2, y: py + gapPx, w, h };
+  return { x: side === 'right' ? px + gapPx : px - w - gapPx, y: py - h / 2, w, h };
+}
+
+const within = ({ x, y, w, h }: Box, width: number, height: number): Box =>
+  ({ x: Math.max(4, Math.min(width - w - 4, x)), y: Math.max(4, Math.min(height - h - 4, y)), w, h });
+
+const overlap = (a: Box, b: Box): boolean => a.x < b.x + b.w && a.x + a.w > b.x && a.y < b.y + b.h && a.y + a.h > b.y;
 
 export class Tags {
   private readonly elements: HTMLElement[] = [];
@@ -19,10 +34,11 @@ export class Tags {
     const shown = tags.filter((t) => t.px >= 0 && t.py >= 0 && t.px <= width && t.py <= height).slice(0, most);
     while (this.elements.length < shown.length) this.elements.push(this.make());
     const blocked = shown.length > 0 ? this.blocked() : [];
+    const placed: Box[] = [];
     this.elements.forEach((element, i) => {
       const tag = shown[i];
       element.hidden = tag === undefined;
-      if (tag) this.put(element, tag, width, height, blocked);
+      if (tag) this.put(element, tag, width, height, blocked, placed);
     });
   }
 
@@ -33,25 +49,27 @@ export class Tags {
     return element;
   }
 
-  private put(element: HTMLElement, tag: Tag, width: number, height: number, blocked: readonly DOMRect[]): void {
+  /** Where it asks to be or, where another tag lies already, at another side of its place; hidden rather than over Stop. */
+  private put(element: HTMLElement, tag: Tag, width: number, height: number, blocked: readonly Box[], placed: Box[]): void {
     if (element.textContent !== tag.text) element.textContent = tag.text;
-    const beside = tag.beside === true;
-    element.className = `map-tag ${tag.kind} ${beside ? 'beside' : 'above'}`;
+    element.className = `map-tag ${tag.kind}`;
     const w = element.offsetWidth;
     const h = element.offsetHeight;
-    const x = Math.max(4, Math.min(width - w - 4, beside ? tag.px + gapPx : tag.px - w / 2));
-    const y = Math.max(4, Math.min(height - h - 4, beside ? tag.py - h / 2 : tag.py - h - gapPx));
-    element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
-    element.style.setProperty('--tip', `${Math.round(tag.px - x)}px`);
-    const covers = blocked.some((b) => x < b.right && x + w > b.left && y < b.bottom && y + h > b.top);
-    element.style.visibility = covers ? 'hidden' : 'visible';
+    const boxes = [...(tag.side ? [tag.side] : []), ...allSides].map((side) => ({ side, box: within(boxAt(side, tag, w, h), width, height) }));
+    const free = boxes.find(({ box }) => ![...blocked, ...placed].some((other) => overlap(box, other)));
+    const { side, box } = free ?? boxes[0] as (typeof boxes)[number];
+    placed.push(box);
+    element.classList.add(side);
+    element.style.transform = `translate(${Math.round(box.x)}px, ${Math.round(box.y)}px)`;
+    element.style.setProperty('--tip', `${Math.round(tag.px - box.x)}px`);
+    element.style.visibility = blocked.some((other) => overlap(box, other)) ? 'hidden' : 'visible';
   }
 
-  private blocked(): DOMRect[] {
+  private blocked(): Box[] {
     const origin = this.host.getBoundingClientRect();
     return this.keepClear.map((e) => {
       const box = e.getBoundingClientRect();
-      return new DOMRect(box.x - origin.x, box.y - origin.y, box.width, box.height);
+      return { x: box.x - origin.x, y: box.y - origin.y, w: box.width, h: box.height };
     });
   }
 }

@@ -13,12 +13,12 @@ export function defaultView(dark: boolean): View {
   };
 }
 
-const favourites = ['consensus', 'atm'];
+const favourites = ['consensus', 'atm_mod'];
 
 /** What is shown unless the person chose: the best method of points over the first grid. */
 export function defaultShown(methods: Methods): string[] {
-  const points = methods.running.filter((r) => r.points).map((r) => r.method);
+  const points = methods.running.filter((r) => r.points);
   const grids = methods.running.filter((r) => r.grid !== null && !r.points).map((r) => r.method);
-  const first = favourites.find((name) => points.includes(name)) ?? points[0];
-  return [...(first === undefined ? [] : [first]), ...grids.slice(0, 1)];
+  const first = favourites.map((name) => points.find((r) => r.name === name)).find((r) => r !== undefined) ?? points[0];
+  return [...(first === undefined ? [] : [first.method]), ...grids.slice(0, 1)];
 }

@@ -7,6 +7,8 @@ import type { PingsEnd, SnapshotEnd } from '../protocol/messages.ts';
 import type { MethodMap } from './method_map.ts';
 
 const pingsBefore = 250;
+/** Methods that one question may name. */
+const mostMethods = 8;
 
 interface Asker {
   ask<T>(question: Question): Promise<T>;
@@ -36,15 +38,25 @@ export class HeldMaps {
     }
   }
 
+  private async mapsAt(t: number): Promise<{ end: SnapshotEnd; maps: ReadonlyMap<string, MethodMap> }> {
+    const names = this.asker.methodNames();
+    const maps = new Map<string, MethodMap>();
+    for (let i = 0; ; i += mostMethods) {
+      const end = await this.asker.ask<SnapshotEnd>({ type: 'snapshot', t, methods: names.slice(i, i + mostMethods) });
+      for (const [method, map] of this.asker.framesOf(end.id)?.maps ?? []) maps.set(method, map);
+      if (i + mostMethods >= names.length) return { end, maps };
+    }
+  }
+
   private async fetch(t: number): Promise<void> {
     this.busy = true;
     try {
-      const end = await this.asker.ask<SnapshotEnd>({ type: 'snapshot', t, methods: this.asker.methodNames() });
+      const { end, maps } = await this.mapsAt(t);
       const from = Math.max(0, end.pings - pingsBefore);
       const count = end.pings - from;
       const pings = count > 0 ? await this.asker.ask<PingsEnd>({ type: 'pings', from, count }) : null;
       if (this.wanted !== null) {
-        this.maps = this.asker.framesOf(end.id)?.maps ?? new Map();
+        this.maps = maps;
         this.moment = { t: end.t, pings: end.pings, pose: end.pose, recent: pings ? this.asker.framesOf(pings.id)?.pings ?? [] : [] };
         this.asker.changed();
       }

@@ -42,7 +42,7 @@ export class MapStore implements MethodMap {
   points = 0;
   version = 0;
 
-  constructor(readonly method: string) {}
+  constructor(readonly method: string, public name = method) {}
 
   setTile(column: number, row: number, bytes: Uint8Array): void {
     const key = `${column},${row}`;

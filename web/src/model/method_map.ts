@@ -5,7 +5,10 @@
 export interface Tile { column: number; row: number; /** 64 x 64, rows from below; see docs/protocol.md */ bytes: Uint8Array; version: number }
 
 export interface MethodMap {
+  /** Id of the running method. */
   readonly method: string;
+  /** The method's name in the catalogue. */
+  readonly name: string;
   /** Null for methods without cells. */
   readonly grid: { cellM: number; x: number; y: number } | null;
   readonly tiles: ReadonlyMap<string, Tile>;

@@ -93,6 +93,8 @@ export interface Model {
   readonly pings: PingStore;
   /** By name of the method: the live maps, or those of the moment that is held. */
   readonly maps: ReadonlyMap<string, MethodMap>;
+  /** Those of now, whatever is held: what `explain` speaks of. */
+  readonly liveMaps: ReadonlyMap<string, MethodMap>;
   /** x, y, x, y, ... in world metres; `pathLength` numbers are used. */
   readonly path: Float32Array;
   readonly pathLength: number;

@@ -11,6 +11,7 @@ import { Live } from './live.ts';
 import type { MethodMap } from './method_map.ts';
 import type { AnswerFrames, Model, Question, Topic, View } from './model.ts';
 import { Topics } from './topics.ts';
+import { isOptionKey, optionKeys } from './url_options.ts';
 import { parseHash, writeHash } from './url_state.ts';
 
 const tokenKey = 'echoarc.token';
@@ -49,7 +50,7 @@ export class PageModel implements Model {
       nextId: () => this.questions.nextId(),
     });
     this.live = new Live(this.net.state);
-    this.receiver = new Receiver(this.live, (topic) => this.topics.tell(topic));
+    this.receiver = new Receiver(this.live, (topic) => this.topics.tell(topic), (id) => this.questions.methodsOf(id));
     this.questions = new Questions((message) => this.send(message));
     this.heldMaps = new HeldMaps({
       ask: (question) => this.ask(question),
@@ -75,6 +76,7 @@ export class PageModel implements Model {
   get recompute() { return this.live.recompute; }
   get pings() { return this.live.pings; }
   get maps(): ReadonlyMap<string, MethodMap> { return this.heldMaps.maps ?? this.live.maps; }
+  get liveMaps(): ReadonlyMap<string, MethodMap> { return this.live.maps; }
   get path() { return this.live.path; }
   get pathLength() { return this.live.pathLength; }
   get laser() { return this.live.laser; }
@@ -123,8 +125,12 @@ export class PageModel implements Model {
     this.net.start();
   }
 
-  /** A link to what is seen, without the token. */
-  link(): string { return `${location.origin}${location.pathname}${location.search}#${this.hash(true)}`; }
+  /** A link to what is seen and the options behind it, without the token. */
+  link(): string {
+    const seen = this.view.name === 'compare' ? this.view.compare.methods : this.view.shown;
+    const others = [...this.others.filter(([key]) => !isOptionKey(key)), ...optionKeys(seen, this.methods, this.welcome?.catalogue ?? [])];
+    return `${location.origin}${location.pathname}${location.search}#${writeHash(this.view, others, this.themeChosen)}`;
+  }
 
   private hear(message: FromServer): void {
     if (this.questions.answer(message)) {
@@ -143,8 +149,8 @@ export class PageModel implements Model {
     this.questions.abandon();
   }
 
-  private hash(withShown = this.shownChosen): string {
-    return writeHash(withShown ? this.view : { ...this.view, shown: [] }, this.others, this.themeChosen);
+  private hash(): string {
+    return writeHash(this.shownChosen ? this.view : { ...this.view, shown: [] }, this.others, this.themeChosen);
   }
 
   private flushUrl(): void {

@@ -11,10 +11,10 @@ export class AnswerStore implements AnswerFrames {
   readonly maps = new Map<string, MapStore>();
   pings: PingRecord[] = [];
 
-  map(method: string): MapStore {
+  map(method: string, name: string): MapStore {
     const known = this.maps.get(method);
     if (known) return known;
-    const made = new MapStore(method);
+    const made = new MapStore(method, name);
     this.maps.set(method, made);
     return made;
   }

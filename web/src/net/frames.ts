@@ -14,7 +14,7 @@ const recordBytes: Record<number, number> = {
 
 export interface Frame {
   kind: number;
-  /** Index in the last `methods` message. */
+  /** Index in the last `methods` message; of an answer: among the methods that the question names. */
   method: number;
   /** Forget all of this kind, and method, before it. */
   reset: boolean;

@@ -4,12 +4,17 @@
 import type { Question } from '../model/model.ts';
 import type { Error as Refusal, FromClient, FromServer } from '../protocol/messages.ts';
 
-interface Waiting { resolve: (answer: never) => void; reject: (refusal: Refusal) => void; timer: ReturnType<typeof setTimeout> }
+interface Waiting { resolve: (answer: never) => void; reject: (refusal: Refusal) => void; timer: ReturnType<typeof setTimeout>; methods: readonly string[] }
 
 const idLimit = 4294967295;
 
 function refusal(id: number, code: string, message: string, remedy: string): Refusal {
   return { type: 'error', id, code, message, remedy };
+}
+
+function methodsIn(question: Question): readonly string[] {
+  if ('methods' in question) return question.methods;
+  return 'method' in question ? [question.method] : [];
 }
 
 /** Gives questions their ids and answers to who asked. */
@@ -35,7 +40,7 @@ export class Questions {
         this.waiting.delete(id);
         reject(refusal(id, 'timeout', `No answer within ${timeoutMs / 1000} s.`, 'Ask again.'));
       }, timeoutMs);
-      this.waiting.set(id, { resolve: resolve as Waiting['resolve'], reject, timer });
+      this.waiting.set(id, { resolve: resolve as Waiting['resolve'], reject, timer, methods: methodsIn(question) });
     });
   }
 
@@ -50,6 +55,9 @@ export class Questions {
     else who.resolve(message as never);
     return true;
   }
+
+  /** The methods that a question asked about, in its order; frames of its answer say which by their place. */
+  methodsOf(id: number): readonly string[] { return this.waiting.get(id)?.methods ?? []; }
 
   isWaiting(id: number): boolean { return this.waiting.has(id); }
 

@@ -13,7 +13,8 @@ export class Receiver {
   /** Kinds and methods of which nothing came since the welcome: the first frame of each replaces what was before. */
   private welcomed = new Set<string>();
 
-  constructor(private readonly live: Live, private readonly tell: (topic: Topic) => void) {}
+  /** `methodsOf`: that a question asked about. */
+  constructor(private readonly live: Live, private readonly tell: (topic: Topic) => void, private readonly methodsOf: (question: number) => readonly string[]) {}
 
   message(message: FromServer): void {
     const { live } = this;
@@ -82,8 +83,10 @@ export class Receiver {
     live.methods = message;
     const running = new Set(message.running.map((r) => r.method));
     for (const method of live.maps.keys()) if (!running.has(method)) live.maps.delete(method);
-    for (const { method, grid } of message.running) {
+    for (const method of live.scoreHistory.keys()) if (!running.has(method)) live.scoreHistory.delete(method);
+    for (const { method, name, grid } of message.running) {
       const map = live.maps.get(method) ?? new MapStore(method);
+      map.name = name;
       map.grid = grid ? { cellM: grid.cell_m, x: grid.x_m, y: grid.y_m } : null;
       live.maps.set(method, map);
     }
@@ -125,10 +128,11 @@ export class Receiver {
     if (frame.kind === frameKind.pings) {
       for (const ping of pingsOf(frame)) store.pings.push(ping);
     } else {
-      const running = this.live.methods?.running[frame.method];
-      if (!running || (frame.kind !== frameKind.tiles && frame.kind !== frameKind.points)) return;
-      const map = store.map(running.method);
-      map.grid ??= this.live.maps.get(running.method)?.grid ?? null;
+      const method = this.methodsOf(frame.id)[frame.method];
+      if (method === undefined || (frame.kind !== frameKind.tiles && frame.kind !== frameKind.points)) return;
+      const live = this.live.maps.get(method);
+      const map = store.map(method, live?.name ?? method);
+      map.grid ??= live?.grid ?? null;
       write(frame, map, frame.reset);
     }
     this.tell('map');

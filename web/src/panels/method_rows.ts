@@ -3,7 +3,6 @@
 
 import type { App } from '../ui/app.ts';
 import { markSlots, type MarkSlot } from '../map/slots.ts';
-import type { Methods } from '../protocol/messages.ts';
 import { h } from '../ui/dom.ts';
 import { centimetres, dash, fixed, whole } from '../ui/format.ts';
 import { icon } from '../ui/icons.ts';
@@ -11,10 +10,10 @@ import { methodMark } from '../ui/marks.ts';
 import { menu } from '../ui/popover.ts';
 import { askForToken } from '../drive/rights.ts';
 import { words } from '../words.ts';
+import { freeId, runningOf, type Running } from '../model/instances.ts';
 
 export const slotsOf = (app: App): Map<string, MarkSlot> => markSlots(app.model.methods, app.model.view.shown);
 export const markOf = (app: App, method: string): SVGElement => methodMark(slotsOf(app).get(method) ?? 0);
-type Running = Methods['running'][number];
 
 function facts(app: App, running: Running): string {
   if (running.state === 'failed') return running.reason;
@@ -49,10 +48,17 @@ function row(app: App, running: Running): HTMLElement {
 
 function addMenu(app: App, opener: HTMLElement): void {
   if (!app.model.welcome?.you.may_drive) { askForToken(app); return; }
-  const running = new Set(app.model.methods?.running.map((r) => r.method));
-  const free = app.model.welcome.catalogue.filter((m) => !running.has(m.name));
-  menu(opener, words.addMethod, free.map((m) => ({
-    label: m.title, note: m.source, run: () => { app.model.send({ type: 'method_add', method: m.name }); app.model.show({ shown: [...app.model.view.shown, m.name] }); },
+  const { methods } = app.model;
+  const runs = (name: string): boolean => runningOf(methods, name) !== undefined;
+  const first = app.model.welcome.catalogue.filter((m) => !runs(m.name));
+  const again = app.model.welcome.catalogue.filter((m) => runs(m.name));
+  menu(opener, words.addMethod, [...first, ...again].map((m) => ({
+    label: m.title, note: runs(m.name) ? words.another : m.source,
+    run: () => {
+      const id = freeId(methods?.running ?? [], m.name);
+      app.model.send({ type: 'method_add', method: id, ...(id === m.name ? {} : { name: m.name }) });
+      app.model.show({ shown: [...app.model.view.shown, id] });
+    },
   })));
 }
 

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /** The form of a method's options, made from the fields that the server declares. */
-import type { Option } from '../protocol/messages.ts';
+import { defaultGathering } from '../model/instances.ts';
+import type { Method, Option } from '../protocol/messages.ts';
 import type { App, Panel } from '../ui/app.ts';
 import { h } from '../ui/dom.ts';
 import { capital, whole } from '../ui/format.ts';
 import { words } from '../words.ts';
 import { backButton } from './back.ts';
+import { compareGathered } from './compare_panel.ts';
 import { markOf } from './method_rows.ts';
 import { changedOptions, displayUnit, fromSlider, optionTitle, parseNumber, shownNumber, toSlider, type Value } from './option_values.ts';
 
@@ -63,12 +65,13 @@ function optionRow(option: Option, value: Value, disabled: boolean, set: Set): H
 export function makeOptionsPanel(app: App): Panel {
   const title = h('h1', { class: 'named', tabindex: -1 }), summary = h('p'), form = h('section', { class: 'sec grow' }), progress = h('div', { class: 'sec recompute', hidden: true });
   const reset = h('button', { class: 'btn grow' });
-  const current = (): { method: string; options: Option[]; values: Record<string, Value> } | null => {
+  const compare = h('button', { class: 'btn', hidden: true }, words.withDefault);
+  const current = (): { method: string; known: Method; options: Option[]; values: Record<string, Value> } | null => {
     const method = app.model.view.optionsOf ?? app.model.view.shown[0];
     const running = app.model.methods?.running.find((r) => r.method === method);
-    const known = app.model.welcome?.catalogue.find((m) => m.name === method);
+    const known = app.model.welcome?.catalogue.find((m) => m.name === running?.name);
     if (!method || !running || !known) return null;
-    return { method, options: known.options, values: { ...Object.fromEntries(known.options.map((o) => [o.name, o.default])), ...running.options } };
+    return { method, known, options: known.options, values: { ...Object.fromEntries(known.options.map((o) => [o.name, o.default])), ...running.options } };
   };
   const apply = (name: string, value: Value): void => {
     const now = current();
@@ -82,12 +85,12 @@ export function makeOptionsPanel(app: App): Panel {
     if (!now || next === key) return;
     key = next;
     title.replaceChildren(markOf(app, now.method), app.titleOf(now.method));
-    const known = app.model.welcome?.catalogue.find((m) => m.name === now.method);
-    summary.textContent = [known?.summary, known?.source].filter(Boolean).join(' ');
+    summary.textContent = [now.known.summary, now.known.source].filter(Boolean).join(' ');
     form.replaceChildren(...(mayChange ? [] : [h('div', { class: 'hint' }, words.onlyDriver)]), ...now.options.map((o) => optionRow(o, now.values[o.name] ?? o.default, !mayChange, (value) => apply(o.name, value))));
     const count = Object.keys(changedOptions(now.options, now.values)).length;
     reset.textContent = `Reset ${count} changed`;
     reset.disabled = count === 0 || !mayChange;
+    compare.hidden = count === 0;
   };
   const showProgress = (): void => {
     const now = current();
@@ -99,12 +102,13 @@ export function makeOptionsPanel(app: App): Panel {
     progress.replaceChildren(h('div', { class: 'h2' }, ['Recomputing from the log', h('span', { class: 'r num' }, `${whole(work.done)} of ${whole(work.total)}`)]), bar, h('p', {}, words.mapSwitches));
   };
   reset.addEventListener('click', () => { const now = current(); if (now) app.model.send({ type: 'options', method: now.method, options: {} }); });
+  compare.addEventListener('click', () => { const now = current(); if (now) compareGathered(app, defaultGathering(app.model.methods, now.known, now.method), 'swipe'); });
   const update = (): void => { fill(); showProgress(); };
   return {
     title: 'Options', update, unmount: () => undefined,
     mount(host) {
-      host.append(h('section', { class: 'sec' }, [backButton(app), title, summary]), form, progress, h('div', { class: 'foot' }, [reset,
-        h('button', { class: 'btn quiet' }, 'Remove method', { click: () => { const now = current(); if (now) { app.model.send({ type: 'method_remove', method: now.method }); app.model.show({ name: 'map' }, true); } } })]));
+      host.append(h('section', { class: 'sec' }, [backButton(app), title, summary]), form, h('section', { class: 'sec' }, [
+        h('button', { class: 'btn quiet' }, 'Remove method', { click: () => { const now = current(); if (now) { app.model.send({ type: 'method_remove', method: now.method }); app.model.show({ name: 'map' }, true); } } })]), progress, h('div', { class: 'foot' }, [reset, compare]));
       update();
     },
   };

@@ -15,10 +15,16 @@ export function niceTop(value: number): number {
   return [0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5].find((step) => step >= value) ?? value;
 }
 
-/** A method beside the end of its line: its last word where the whole would not fit. */
+const labelLength = 12, tellingLength = 6;
+
+/** A method beside the end of its line: its last words where the whole would not fit, and no more than tell something. */
 export function chartLabel(short: string): string {
   const text = short.replace('Occupancy grid', 'Grid');
-  return text.length <= 12 ? text : capital(text.split(' ').at(-1) ?? text).slice(0, 12);
+  if (text.length <= labelLength) return text;
+  const words = text.split(' ');
+  let label = words.pop() ?? text;
+  for (let before = words.pop(); before !== undefined && label.length < tellingLength && before.length + 1 + label.length <= labelLength; before = words.pop()) label = `${before} ${label}`;
+  return capital(label).slice(0, labelLength);
 }
 
 /** Moves labels down so that each is `gap` below the one before, then up where they would leave the chart. */

@@ -33,6 +33,8 @@ protocol: 1
 token?: string
 name?: string
 /**
+ * as in `subscribe`
+ * 
  * @maxItems 32
  */
 methods?: string[]
@@ -50,6 +52,8 @@ id: number
 export interface Subscribe {
 type: "subscribe"
 /**
+ * ids of running methods
+ * 
  * @maxItems 32
  */
 methods: string[]
@@ -105,17 +109,33 @@ x?: number
 y?: number
 }
 /**
- * Adds a method with its defaults.
+ * Adds a method, with its defaults or with options. One name may run several times under different ids.
  */
 export interface MethodAdd {
 type: "method_add"
+/**
+ * id that it shall have: a-z, 0-9, _ and -, a letter or digit first; its name, or none that is a method's
+ */
 method: string
+/**
+ * in the catalogue; that is the id, too, when it is left out
+ */
+name?: string
+/**
+ * what differs from the defaults
+ */
+options?: {
+[k: string]: (boolean | number | string)
+}
 }
 /**
  * Removes a method.
  */
 export interface MethodRemove {
 type: "method_remove"
+/**
+ * id of the running method
+ */
 method: string
 }
 /**
@@ -123,6 +143,9 @@ method: string
  */
 export interface Options {
 type: "options"
+/**
+ * id of the running method
+ */
 method: string
 options: {
 [k: string]: (boolean | number | string)
@@ -159,6 +182,9 @@ scene: string
 export interface Explain {
 type: "explain"
 id: number
+/**
+ * id of the running method
+ */
 method: string
 slot?: number
 x?: number
@@ -170,6 +196,9 @@ y?: number
 export interface Step {
 type: "step"
 id: number
+/**
+ * id of the running method
+ */
 method: string
 ping: number
 }
@@ -190,6 +219,8 @@ type: "snapshot"
 id: number
 t: number
 /**
+ * ids of running methods
+ * 
  * @maxItems 8
  */
 methods: string[]
@@ -399,7 +430,18 @@ export interface Counts {
 export interface Methods {
 type: "methods"
 running: {
+/**
+ * id of this running method: what all other messages call `method`
+ */
 method: string
+/**
+ * in `welcome.catalogue`
+ */
+name: string
+/**
+ * how people are told of it; different for each
+ */
+label: string
 options: OptionValues
 state: ("ok" | "recomputing" | "failed")
 reason: string
@@ -422,6 +464,9 @@ export interface OptionValues {
  */
 export interface Recompute {
 type: "recompute"
+/**
+ * id of the running method
+ */
 method: string
 done: number
 total: number
@@ -546,6 +591,9 @@ kind: ("point" | "cell")
 sentence: string
 x: number
 y: number
+/**
+ * that was asked about; null: a place was
+ */
 slot: (number | null)
 label: string
 bound_m: (number | null)
@@ -622,6 +670,9 @@ used: boolean
 reason: string
 time_of_flight_s: (number | null)
 speed_of_sound_m_s: number
+/**
+ * of the robot, when the ping was fired; null where it is not known
+ */
 true_pose: (Pose | null)
 arc: ({
 length_m: number

@@ -3,6 +3,7 @@
 
 /** What the parts of the page share. */
 import type { MapView } from '../map/map_view.ts';
+import { runningOf } from '../model/instances.ts';
 import type { PageModel } from '../model/page_model.ts';
 import type { Driving } from '../drive/driving.ts';
 import type { ViewName } from '../model/model.ts';
@@ -39,6 +40,8 @@ export function methodTitle(model: PageModel, method: string): string {
   return methodShort(model, method);
 }
 export function methodShort(model: PageModel, method: string): string {
+  const running = runningOf(model.methods, method);
+  if (running) return running.label;
   const found = model.welcome?.catalogue.find((m) => m.name === method);
   return found?.short || found?.title || method;
 }

@@ -3,12 +3,13 @@
 
 /** Switch between side by side, swipe and blend; labels of the panes; the divider. */
 import { markOf } from '../panels/method_rows.ts';
-import { mostPanes, sideAreas } from '../map/scene_builder.ts';
+import { comparedMethods, isPoints, mostPanes, sideAreas } from '../map/scene_builder.ts';
 import { compared } from '../panels/compare_panel.ts';
 import { refill } from '../panels/refill.ts';
 import type { App } from './app.ts';
-import { h } from './dom.ts';
+import { h, say } from './dom.ts';
 import { centimetres } from './format.ts';
+import { words } from '../words.ts';
 
 const modes = [['side', 'Side by side'], ['swipe', 'Swipe'], ['blend', 'Blend']] as const;
 
@@ -18,8 +19,11 @@ export function mountCompareBar(app: App, over: HTMLElement): void {
   const buttons = modes.map(([mode, label]) => h('button', { 'aria-pressed': 'false' }, label, { click: () => set({ mode, methods: compared(app) }) }));
   const blend = h('input', { type: 'range', class: 'slide', min: 0, max: 1, step: 0.01, 'aria-label': 'Blend' });
   blend.addEventListener('input', () => set({ blend: Number(blend.value) }));
-  const bar = h('div', { class: 'cbar', hidden: true }, [h('div', { class: 'seg' }, buttons), blend]);
-  const labels = h('div'), divider = h('div', { class: 'clsw', role: 'slider', tabindex: 0, 'aria-label': 'Divider', 'aria-valuemin': 0, 'aria-valuemax': 100 });
+  const ends = [h('span', { class: 'end' }), h('span', { class: 'end' })] as const;
+  const legend = h('div', { class: 'blend-legend' });
+  const blending = h('div', { class: 'blending', hidden: true }, [ends[0], blend, ends[1]]);
+  const bar = h('div', { class: 'cbar', hidden: true }, [legend, h('div', { class: 'cbar-row' }, [h('div', { class: 'seg' }, buttons), blending])]);
+  const labels = h('div'), divider = h('div', { class: 'clsw', hidden: true, role: 'slider', tabindex: 0, 'aria-label': 'Divider', 'aria-valuemin': 0, 'aria-valuemax': 100 });
   over.append(labels, divider, bar);
   const width = (): number => app.mapHost.clientWidth;
   const move = (place: number): void => set({ swipe: Math.max(0.02, Math.min(0.98, place)) });
@@ -39,8 +43,11 @@ export function mountCompareBar(app: App, over: HTMLElement): void {
     bar.hidden = !on;
     labels.hidden = !on;
     divider.hidden = !on || mode !== 'swipe';
-    blend.hidden = mode !== 'blend';
+    blending.hidden = mode !== 'blend';
     if (!on) return;
+    const blended = comparedMethods(model).slice(0, 2);
+    blended.forEach((method, i) => { const end = ends[i]; if (end) say(end, app.titleOf(method)); });
+    refill(legend, mode === 'blend' ? blendLegend(app, blended) : []);
     blend.value = String(model.view.compare.blend);
     buttons.forEach((b, i) => { const here = modes[i]?.[0] === mode; b.classList.toggle('on', here); b.setAttribute('aria-pressed', String(here)); });
     divider.style.setProperty('left', `${swipe * 100}%`);
@@ -49,6 +56,14 @@ export function mountCompareBar(app: App, over: HTMLElement): void {
   };
   for (const topic of ['view', 'methods', 'scores'] as const) model.on(topic, update);
   addEventListener('resize', () => requestAnimationFrame(update));
+}
+
+/** Of two grids the colours say which holds a cell occupied, so these are named; points have their marks. */
+function blendLegend(app: App, methods: readonly string[]): HTMLElement[] {
+  const [first, second] = methods;
+  if (first === undefined || second === undefined || methods.some((m) => isPoints(app.model, m))) return [];
+  const entry = (kind: string, text: string): HTMLElement => h('span', {}, [h('i', { class: `key ${kind}` }), text]);
+  return [h('span', { class: 'what' }, words.occupiedIn), entry('fuller', words.onlyIn(app.titleOf(first))), entry('occ', words.inBoth), entry('emptier', words.onlyIn(app.titleOf(second)))];
 }
 
 function showLabels(app: App, host: HTMLElement): void {

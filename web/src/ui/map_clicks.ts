@@ -4,12 +4,14 @@
 /** Clicks on the map: explain, go to a point, and the long-press menu. */
 import type { MapPlace, Pick } from '../map/map_view.ts';
 import { askForToken } from '../drive/rights.ts';
+import { liveSlot } from '../explain/live_point.ts';
 import { words } from '../words.ts';
 import type { App } from './app.ts';
 import { h } from './dom.ts';
 import { fixed } from './format.ts';
 import { mountHoverTag } from './hover_tag.ts';
 import { menu } from './popover.ts';
+import { openSheet } from './sheet.ts';
 import { hideToast, toast } from './toast.ts';
 
 export interface MapClicks { startGoTo(): boolean; cancel(): boolean; walk(direction: 1 | -1): void; explainWalked(): boolean }
@@ -26,9 +28,14 @@ export function mountMapClicks(app: App): MapClicks {
   };
   const explainPick = (pick: Pick | null): boolean => {
     tag(null);
-    if (pick?.kind === 'point') app.model.show({ name: 'explain', explain: { method: pick.method, slot: pick.slot, x: pick.x, y: pick.y } }, true);
-    else if (pick?.kind === 'cell') app.model.show({ name: 'explain', explain: { method: pick.method, slot: null, x: pick.x, y: pick.y } }, true);
+    if (pick?.kind === 'point') {
+      const slot = liveSlot(app.model.liveMaps.get(pick.method), pick);
+      if (slot === null) { toast(words.goneSince); return true; }
+      app.model.show({ name: 'explain', explain: { method: pick.method, slot, x: pick.x, y: pick.y } }, true);
+    }
+    if (pick?.kind === 'cell') app.model.show({ name: 'explain', explain: { method: pick.method, slot: null, x: pick.x, y: pick.y } }, true);
     else if (pick?.kind === 'arc') app.model.show({ name: 'step', ping: pick.ping.id, step: 1, cell: null }, true);
+    if (pick) openSheet(); // also where the same panel was shown and its sheet closed
     return pick !== null;
   };
   const explain = (place: MapPlace): void => {

@@ -17,7 +17,7 @@ export async function upload(app: App, file: File): Promise<void> {
   if (file.size > limit) { toast(words.tooLarge(file.size, limit), [], true); return; }
   if (!app.model.token) { askForToken(app); return; }
   try {
-    const answer = await fetch('api/log', { method: 'POST', body: file, headers: { Authorization: `Bearer ${app.model.token}` } });
+    const answer = await fetch('api/log', { method: 'POST', body: file, headers: { Authorization: `Bearer ${app.model.token}`, 'X-File-Name': encodeURIComponent(file.name) } });
     const body = (await answer.json()) as { room?: string; message?: string; error?: string; remedy?: string };
     if (answer.ok && body.room) goToRoom(body.room, `log:${file.name}`);
     else toast([body.message ?? body.error ?? words.unknownFile(file.name), body.remedy].filter(Boolean).join('. '), [], true);

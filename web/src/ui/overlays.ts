@@ -10,13 +10,14 @@ import { h, say } from './dom.ts';
 import { capital, fixed, heading, whole, words as plain } from './format.ts';
 import { icon, type IconName } from './icons.ts';
 import { menu } from './popover.ts';
+import { toggleSheet } from './sheet.ts';
 
 const hintKey = 'echoarc.hint';
 
 export function mountModeChip(app: App, over: HTMLElement, startGoTo: () => void): void {
   const mode = h('span'), speed = h('small'), hand = h('button', { class: 'btn sm' }, words.handOver);
   const driving = h('span', {}, words.youDrive);
-  const chip: HTMLButtonElement = h('button', { class: 'chip', 'aria-haspopup': 'menu' }, [h('span', { class: 'rb' }), mode, speed, icon('chev')]);
+  const chip: HTMLButtonElement = h('button', { class: 'chip', 'aria-haspopup': 'menu', hidden: true }, [h('span', { class: 'rb' }), mode, speed, icon('chev')]);
   const mine = h('div', { class: 'chip mine', hidden: true }, [h('span', { class: 'dot' }), driving, hand]);
   over.append(chip, mine);
   hand.addEventListener('click', () => handOverMenu(app, hand));
@@ -46,7 +47,7 @@ export function mountModeChip(app: App, over: HTMLElement, startGoTo: () => void
 export function mountMapControls(app: App, over: HTMLElement): void {
   const control = (name: IconName, label: string, run: () => void, extra = ''): HTMLButtonElement => h('button', { 'aria-label': label, title: label, class: extra }, [icon(name)], { click: run });
   const follow = control('follow', 'Follow robot', () => app.model.show({ follow: !app.model.view.follow }));
-  const layers = control('layers', 'Layers', () => document.body.toggleAttribute('data-sheet'), 'lay');
+  const layers = control('layers', 'Layers', toggleSheet, 'lay');
   over.append(h('div', { class: 'mapctl', role: 'group', 'aria-label': 'Map view' }, [
     control('plus', 'Zoom in', () => app.map.zoom(1.25), 'zoom'), control('minus', 'Zoom out', () => app.map.zoom(0.8), 'zoom'), control('fit', 'Fit map', () => app.map.fit()), layers, follow]));
   const bar = h('i'), length = h('span'), place = h('span', { class: 'xy' }), nth = h('span');

@@ -5,6 +5,7 @@
 import { h, type Child } from './dom.ts';
 
 export interface MenuItem { label: string; note?: string; current?: boolean; disabled?: boolean; run: () => void }
+const marginPx = 8;
 let open: { box: HTMLElement; opener: HTMLElement } | null = null;
 
 export function closePopover(focusOpener = true): boolean {
@@ -27,10 +28,24 @@ export function popover(opener: HTMLElement, label: string, children: readonly C
   box.style.setProperty('left', `${Math.max(8, Math.min(at.left, innerWidth - width - 8))}px`);
   const below = at.bottom + 6 + box.offsetHeight < innerHeight;
   box.style.setProperty('top', `${below ? at.bottom + 6 : Math.max(8, at.top - box.offsetHeight - 6)}px`);
+  keepOffStop(box);
   opener.setAttribute('aria-expanded', 'true');
   open = { box, opener };
   (box.querySelector<HTMLElement>('[role^=menuitem],[role=option],button,input') ?? box).focus();
   return box;
+}
+
+/** Beside Stop or, where there is no room, ending above it. */
+function keepOffStop(box: HTMLElement): void {
+  const stop = document.getElementById('stop')?.getBoundingClientRect();
+  const own = box.getBoundingClientRect();
+  if (!stop || stop.width === 0 || own.right < stop.left - marginPx || own.left > stop.right || own.bottom < stop.top - marginPx || own.top > stop.bottom) return;
+  const left = stop.left - marginPx - own.width;
+  if (left >= marginPx) { box.style.setProperty('left', `${left}px`); return; }
+  const bottom = stop.top - marginPx;
+  const height = Math.min(own.height, bottom - marginPx);
+  box.style.setProperty('max-height', `${height}px`);
+  box.style.setProperty('top', `${Math.min(own.top, bottom - height)}px`);
 }
 
 export function menu(opener: HTMLElement, label: string, items: readonly MenuItem[], role: 'menu' | 'listbox' = 'menu'): void {

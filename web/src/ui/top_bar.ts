@@ -11,6 +11,7 @@ import { openLog } from './open_log.ts';
 import { menu, popover } from './popover.ts';
 import { saveMenu } from './save.ts';
 import { showShortcuts } from './shortcuts.ts';
+import { openSheet } from './sheet.ts';
 import { toast } from './toast.ts';
 
 function iconButton(name: IconName, label: string, run: (button: HTMLElement) => void): HTMLButtonElement {
@@ -64,7 +65,7 @@ export function mountTopBar(app: App, host: HTMLElement): void {
   const name = h('b'), kind = h('span');
   const source: HTMLButtonElement = h('button', { class: 'src', 'aria-haspopup': 'listbox' }, [name, kind, icon('chev')], { click: () => sourceMenu(app, source) });
   const views = (['map', 'compare', 'step'] as const).map((view) => h('a', { href: `#v=${view}` }, view === 'map' ? 'Map' : view === 'compare' ? 'Compare' : 'Step', {
-    click: (event) => { event.preventDefault(); model.show({ name: view }, true); },
+    click: (event) => { event.preventDefault(); model.show({ name: view }, true); if (view === 'step') openSheet(); },
   }));
   const dot = h('i', { class: 'dot' }), phase = h('span'), delay = h('span', { class: 'd' });
   const connection: HTMLButtonElement = h('button', { class: 'conn' }, [dot, phase, delay], { click: () => connectionPopover(app, connection) });
@@ -76,10 +77,11 @@ export function mountTopBar(app: App, host: HTMLElement): void {
   const brand = h('a', { class: 'brand', href: '#v=map', 'aria-label': 'echoarc, live map' }, [logo(), h('span', {}, 'echoarc')], {
     click: (event) => { event.preventDefault(); model.show({ name: 'map', heldAt: null }, true); },
   });
-  host.append(brand, source, h('nav', { class: 'seg modes', 'aria-label': 'View' }, views), h('span', { class: 'sp' }), connection, watch, h('span', { class: 'vr' }),
-    iconButton('open', 'Open a log', () => openLog(app)),
+  host.append(h('div', { class: 'top-side' }, [brand, source]), h('nav', { class: 'seg modes', 'aria-label': 'View' }, views), h('div', { class: 'top-side right' }, [
+    connection, watch, h('span', { class: 'vr' }), iconButton('open', 'Open a log', () => openLog(app)),
     iconButton('link', 'Copy link to this view', () => void navigator.clipboard?.writeText(model.link()).then(() => toast(words.linkCopied))),
-    theme, iconButton('help', 'Keyboard shortcuts', () => showShortcuts(app)), save, drive);
+    theme, iconButton('help', 'Keyboard shortcuts', () => showShortcuts(app)), save, drive,
+  ]));
 
   const showView = (): void => {
     const dark = model.view.theme === 'dark';
@@ -112,6 +114,7 @@ export function mountTopBar(app: App, host: HTMLElement): void {
   const showConnection = (): void => {
     const { connection: now } = model;
     const live = now.phase === 'live';
+    document.body.toggleAttribute('data-connecting', now.phase === 'connecting');
     document.body.toggleAttribute('data-lost', now.phase === 'lost' || now.phase === 'ended');
     say(phase, live ? words.live : now.phase === 'connecting' ? words.connecting : words.reconnecting);
     say(delay, live ? (Number.isFinite(now.roundTripMs) ? `${Math.round(now.roundTripMs)} ms` : '') : now.attempt > 0 ? `try ${now.attempt}` : '');

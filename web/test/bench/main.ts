@@ -33,7 +33,7 @@ for (let i = 0; i < points; i++) point(i);
 const model = createModel();
 Object.defineProperty(model, 'maps', { value: new Map([['evidence', grid], ['atm', atm]]) });
 Object.defineProperty(model, 'methods', {
-  value: { type: 'methods', running: ['evidence', 'atm'].map((method) => ({ method, options: {}, state: 'ok', reason: '', grid: null, points: method === 'atm' })) },
+  value: { type: 'methods', running: ['evidence', 'atm'].map((method) => ({ method, name: method, label: method, options: {}, state: 'ok', reason: '', grid: null, points: method === 'atm' })) },
 });
 model.show({ shown: ['atm', 'evidence'] });
 const host = document.querySelector<HTMLElement>('#map');

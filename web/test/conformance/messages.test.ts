@@ -165,3 +165,43 @@ test('options are recomputed from the log, and refused out of range', async () =
   expect(faults(client.messages)).toEqual([]);
   client.close();
 }, 30_000);
+
+test('one method runs twice, each under its id', async () => {
+  const client = await Client.open(served, { token: served.token });
+  client.say({ type: 'method_add', method: 'evidence-2', name: 'evidence', options: { occupied_peak: 0.7 } });
+  type Told = Message & { running: { method: string; name: string; label: string; options: Record<string, number> }[] };
+  const told = await client.next<Told>('methods', (m) => m.running.some((r) => r.method === 'evidence-2'));
+  const of = (id: string): Told['running'][number] | undefined => told.running.find((r) => r.method === id);
+  expect([of('evidence')?.name, of('evidence-2')?.name]).toEqual(['evidence', 'evidence']);
+  expect(of('evidence')?.label).not.toBe(of('evidence-2')?.label);
+  expect(of('evidence-2')?.options['occupied_peak']).toBe(0.7);
+  client.say({ type: 'method_add', method: 'consensus', name: 'evidence' });
+  await client.next('error');
+  const place = told.running.findIndex((r) => r.method === 'evidence-2');
+  await client.until(() => client.frames.some((f) => f[0] === 2 && f[1] === place && f.readUInt32LE(4) > 0), 'its tiles');
+  client.say({ type: 'snapshot', id: 31, t: 1e9, methods: ['consensus', 'evidence-2'] });
+  await client.until(() => client.messages.find((m) => m['id'] === 31), 'the snapshot');
+  const kinds = new Set(client.frames.filter((f) => f.readUInt32LE(12) === 31 && f.readUInt32LE(4) > 0).map((f) => `${f[1]}:${f[0]}`));
+  expect(kinds).toEqual(new Set(['0:3', '1:2']));
+  const picture = await fetch(`${served.origin}/api/map/evidence-2.png`);
+  expect([picture.status, picture.headers.get('content-type')]).toEqual([200, 'image/png']);
+  client.say({ type: 'method_remove', method: 'evidence-2' });
+  await client.next<Told>('methods', (m) => m.running.every((r) => r.method !== 'evidence-2'), client.mark());
+  expect((await fetch(`${served.origin}/api/map/evidence-2.png`)).status).toBe(404);
+  expect(faults(client.messages)).toEqual([]);
+  client.close();
+}, 30_000);
+
+test('a log that is sent is called by its name, and by nothing of its path', async () => {
+  const log = await (await fetch(`${served.origin}/api/log`)).text();
+  const answer = await fetch(`${served.origin}/api/log`, {
+    method: 'POST', body: log, headers: { Authorization: `Bearer ${served.token}`, 'X-File-Name': encodeURIComponent('../../a/Büro 2.jsonl') },
+  });
+  expect(answer.status).toBe(200);
+  const { room } = (await answer.json()) as { room: string };
+  const client = await Client.open(served, { room });
+  const welcome = await client.next<Message & { source: { title: string; kind: string }; robot: { sensors: { rate_hz: number | null }[] } }>('welcome');
+  expect([welcome.source.title, welcome.source.kind]).toEqual(['Büro 2.jsonl', 'log']);
+  expect(welcome.robot.sensors[0]?.rate_hz).toBeNull();
+  client.close();
+}, 30_000);

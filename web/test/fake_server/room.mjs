@@ -96,7 +96,7 @@ export class Room {
   }
 
   methods() {
-    return { type: 'methods', running: methodNames.map((method) => ({ method, options: this.options[method], state: 'ok', reason: '', grid: method === 'evidence' ? { cell_m: 0.05, x_m: 0, y_m: 0 } : null, points: method !== 'evidence' })) };
+    return { type: 'methods', running: catalogue.map(([method, , short]) => ({ method, name: method, label: short, options: this.options[method], state: 'ok', reason: '', grid: method === 'evidence' ? { cell_m: 0.05, x_m: 0, y_m: 0 } : null, points: method !== 'evidence' })) };
   }
 
   history() { return { type: 'history', bin_s: 1, ...structuredClone(this.bins), scores: structuredClone(this.scores) }; }

@@ -111,8 +111,7 @@ export class Viewer {
   }
 
   sendMaps(maps, id, methods) {
-    for (const method of methods) {
-      const index = methodNames.indexOf(method);
+    for (const [index, method] of methods.entries()) {
       if (method === 'evidence') this.socket.send(tileFrame(index, [...maps.cells.values()], true, maps.sequence, id));
       else if (maps.points[method]) this.socket.send(pointFrame(index, maps.points[method].since(-1), maps.points[method].records, true, 0, id));
     }

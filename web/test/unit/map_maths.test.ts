@@ -54,6 +54,11 @@ test('the scale bar is the first round length of 60 px, and crosses get finer', 
   expect(scaleBar(62).lengthPx).toBe(62);
   expect([10, 20, 50, 100, 400].map(crossStep)).toEqual([5, 2, 1, 1, 0.1]);
   expect(crossSegments({ x: 0, y: 0, s: 50 }, { x: 0, y: 0, width: 110, height: 110 }).length).toBe(9 * 8);
+  // A ruler of decimetres at two edges: 11 and 6 ticks beside 2 x 1 crosses, the metres twice as long.
+  const ruled = crossSegments({ x: 0.5, y: 0.25, s: 100 }, { x: 0, y: 0, width: 110, height: 60 });
+  expect(ruled.length).toBe(2 * 8 + (11 + 6) * 4);
+  const lengths = [...Array(11).keys()].map((i) => Math.round(100 * ((ruled[16 + 4 * i + 3] ?? 0) - (ruled[16 + 4 * i + 1] ?? 0))));
+  expect(lengths).toEqual([8, 4, 4, 4, 4, 4, 4, 4, 4, 4, 8]);
 });
 
 test('the ramp: unknown between, free evenly, occupied by its square', () => {
@@ -95,7 +100,7 @@ test('picking: the nearest point, else the newest arc, else a cell when it is la
 });
 
 const methods = (...names: string[]): Methods => ({
-  type: 'methods', running: names.map((method) => ({ method, options: {}, state: 'ok', reason: '', grid: null, points: true })),
+  type: 'methods', running: names.map((method) => ({ method, name: method, label: method, options: {}, state: 'ok', reason: '', grid: null, points: true })),
 });
 
 test('marks are the same whatever is shown', () => {
