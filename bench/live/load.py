@@ -158,7 +158,8 @@ def measure_load(command, arguments):
             ratios.append(pair[1] / pair[0])
         crowd.close()
         return {"calm": merged(calm, arguments.viewers), "with_stalled": merged(loaded, arguments.viewers),
-                "stalled_to_calm_median_ratio": statistics.median(ratios), "memory_mb": served.resident_mb()}
+                "stalled_to_calm_ratios": ratios, "stalled_to_calm_median_ratio": statistics.median(ratios),
+                "memory_mb": served.resident_mb()}
 
 
 def merged(phases, viewers):
