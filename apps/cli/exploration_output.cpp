@@ -18,6 +18,7 @@
 #include "echoarc/io/exploration_picture.hpp"
 #include "echoarc/io/jsonl.hpp"
 #include "echoarc/io/run_report.hpp"
+#include "echoarc/nav/voronoi_text.hpp"
 
 namespace echoarc::cli {
 namespace {
@@ -111,6 +112,12 @@ Result<void> write_run(const std::filesystem::path& folder, const ExplorationRep
           io::write_exploration_picture(folder / (stem + ".png"), report.request->scene, run.log, run.map, run.sketch);
       !written)
     return written;
+  if (run.graph) {
+    if (Result<void> written = write_text(folder / (stem + ".graphml"), nav::to_graphml(*run.graph)); !written)
+      return written;
+    if (Result<void> written = write_text(folder / (stem + "-graph.json"), nav::to_json(*run.graph)); !written)
+      return written;
+  }
   return with_log ? write_log(folder / (stem + ".jsonl"), run.log) : Result<void>{};
 }
 

@@ -128,7 +128,8 @@ Result<ExitStatus> explore(const ExploreArguments& arguments, const studies::Exp
   return done;
 }
 
-ExitStatus run(const ExploreArguments& arguments) {
+ExitStatus run(ExploreArguments& arguments) {
+  if (arguments.strategy == "wall") arguments.strategy = "wall-left";
   Result<io::SceneFile> file = scene_of(arguments);
   if (!file) return fail(file.error());
   const Result<studies::ExplorationRequest> request = request_of(arguments, std::move(*file));
@@ -142,7 +143,7 @@ std::string strategy_help() {
   std::string text;
   for (const nav::StrategyEntry& entry : nav::strategies())
     text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", entry.name, entry.summary);
-  return text;
+  return text + "; wall: as wall-left";
 }
 
 Action declare(CLI::App& app) {

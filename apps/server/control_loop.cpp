@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/clocks.hpp"
+#include "server/strategy_modes.hpp"
 
 namespace echoarc::server {
 namespace {
@@ -20,11 +21,24 @@ std::int64_t microseconds(double host_s) {
   return std::llround(host_s * 1e6);
 }
 
+live::LiveRobot robot_of(std::unique_ptr<live::Source> source, const live::ControlOptions& options,
+                         std::optional<Navigation>& navigation) {
+  if (!navigation) return live::LiveRobot(std::move(source), options);
+  return {std::move(source), options, std::move(navigation->navigator)};
+}
+
 }  // namespace
 
 ControlLoop::ControlLoop(std::unique_ptr<live::Source> source, const live::ControlOptions& options, double speed,
-                         Host host)
-    : host_(std::move(host)), robot_(std::move(source), options), speed_(speed), thread_([this] { work(); }) {}
+                         Host host, std::optional<Navigation> navigation)
+    : host_(std::move(host)), robot_(robot_of(std::move(source), options, navigation)), speed_(speed) {
+  if (const live::Drivable* drivable = robot_.source().drivable()) {
+    settings_.body = {robot_.source().description().robot.radius_m, drivable->limits()};
+    settings_.cruise_m_s = options.cruise_m_s;
+    home_ = navigation && navigation->home ? *navigation->home : drivable->T_world_base().position;
+  }
+  thread_ = std::thread([this] { work(); });
+}
 
 ControlLoop::~ControlLoop() {
   {
@@ -57,6 +71,17 @@ void ControlLoop::drive(const RobotVelocity& wanted, std::optional<std::uint32_t
 void ControlLoop::control(std::function<void(live::RobotControl&)> action) {
   post([this, action = std::move(action)] {
     if (live::RobotControl* control = robot_.control()) action(*control);
+  });
+}
+
+void ControlLoop::navigate(std::string mode, std::optional<Vec2> goal) {
+  post([this, mode = std::move(mode), goal] {
+    if (robot_.navigator() == nullptr) return;
+    settings_.goals.clear();
+    if (goal) settings_.goals.push_back(*goal);
+    if (mode == home_mode) settings_.goals = {home_};
+    Result<std::unique_ptr<nav::Strategy>> strategy = make_mode(mode, settings_);
+    if (strategy) robot_.navigate(std::move(*strategy), settings_.goals);
   });
 }
 
@@ -139,6 +164,15 @@ void ControlLoop::hand_over() {
   if (!records_.empty()) host_.records(std::exchange(records_, {}));
 }
 
+std::shared_ptr<const Plan> ControlLoop::look_at_plan() {
+  const live::RobotControl* control = robot_.control();
+  if (control == nullptr || control->state().mode != live::Mode::navigate) return plan_ = nullptr;
+  const std::string& strategy = control->state().strategy;
+  const bool due = ticks_ % ticks_per_plan == 0 || !plan_ || plan_->strategy != strategy;
+  if (due) plan_ = std::make_shared<const Plan>(Plan{strategy, robot_.navigator()->strategy()->sketch()});
+  return plan_;
+}
+
 void ControlLoop::report() {
   auto status = std::make_shared<RobotStatus>();
   status->tick = ++ticks_;
@@ -146,7 +180,9 @@ void ControlLoop::report() {
   status->T_world_robot = robot_.T_world_robot();
   status->T_world_true = robot_.T_world_true();
   status->velocity = robot_.velocity();
+  status->plan = look_at_plan();
   if (const live::RobotControl* control = robot_.control()) status->control = control->state();
+  if (status->plan && !settings_.goals.empty()) status->control.goal = settings_.goals.front();
   status->playing = playing_;
   status->speed = speed_;
   status->ended = robot_.source().ended();

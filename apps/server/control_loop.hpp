@@ -14,8 +14,21 @@
 #include <vector>
 
 #include "echoarc/live/live_robot.hpp"
+#include "echoarc/nav/strategies.hpp"
 
 namespace echoarc::server {
+
+/// What the strategy that drives has in mind.
+struct Plan {
+  std::string strategy;
+  nav::Sketch sketch;
+};
+
+/// With what a robot finds its way by itself.
+struct Navigation {
+  live::Navigator navigator;
+  std::optional<Vec2> home;  ///< in the odometry's frame; none: where it is now
+};
 
 /// How the robot is at one tick. Times of the host are CLOCK_MONOTONIC.
 struct RobotStatus {
@@ -33,6 +46,7 @@ struct RobotStatus {
   double travelled_m = 0.0;
   std::optional<std::uint32_t> drive_seq;  ///< of the newest command that reached the robot
   std::int64_t drive_us = 0;               ///< when it did
+  std::shared_ptr<const Plan> plan;        ///< null: no strategy drives; the same until it is looked at anew
 };
 
 /// Steps a robot as real time passes, on a thread of its own that waits for nobody: every 10 ms, and at once when a
@@ -41,6 +55,7 @@ class ControlLoop {
  public:
   static constexpr double period_s = 0.01;
   static constexpr double tick_s = 0.1;
+  static constexpr int ticks_per_plan = 5;  ///< plans are looked at twice a second
 
   /// All are called on the loop's thread.
   struct Host {
@@ -50,7 +65,8 @@ class ControlLoop {
     std::function<bool()> crowded;  ///< whether records wait that nobody took; a log then waits, a robot does not
   };
 
-  ControlLoop(std::unique_ptr<live::Source> source, const live::ControlOptions& options, double speed, Host host);
+  ControlLoop(std::unique_ptr<live::Source> source, const live::ControlOptions& options, double speed, Host host,
+              std::optional<Navigation> navigation = {});
   ControlLoop(const ControlLoop&) = delete;
   ControlLoop& operator=(const ControlLoop&) = delete;
   ~ControlLoop();
@@ -58,6 +74,8 @@ class ControlLoop {
   void drive(const RobotVelocity& wanted, std::optional<std::uint32_t> seq);
   /// Whatever else is done with the control; nothing for a source that cannot be driven.
   void control(std::function<void(live::RobotControl&)> action);
+  /// Starts one of `strategy_modes`; nothing without navigation. `goal`: of "goto".
+  void navigate(std::string mode, std::optional<Vec2> goal);
   void play(bool playing);
   void set_speed(double speed);
   void seek(double time_s);
@@ -68,6 +86,7 @@ class ControlLoop {
   void step_to_now();
   void hand_over();
   void report();
+  [[nodiscard]] std::shared_ptr<const Plan> look_at_plan();
   void anchor();
 
   Host host_;
@@ -77,6 +96,9 @@ class ControlLoop {
   bool closing_ = false;
   // Of the thread alone:
   live::LiveRobot robot_;
+  nav::StrategySettings settings_;  // of what drives, or drove last
+  Vec2 home_;
+  std::shared_ptr<const Plan> plan_;
   std::vector<live::Record> records_;
   double speed_;
   bool playing_ = true;

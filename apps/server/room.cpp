@@ -14,7 +14,9 @@
 #include "host/clocks.hpp"
 #include "server/json_values.hpp"
 #include "server/map_messages.hpp"
+#include "server/plan_message.hpp"
 #include "server/room_messages.hpp"
+#include "server/strategy_modes.hpp"
 
 namespace echoarc::server {
 namespace {
@@ -46,6 +48,7 @@ void Room::start(RoomSetup setup) {
   attended_ = setup.attended;
   source_ = setup.source->description();
   drivable_ = setup.source->drivable() != nullptr;
+  navigates_ = drivable_ && setup.navigation.has_value();
   planned_rate_hz_ = setup.planned_rate_hz;
   log_ = std::move(setup.log);
   questions_ = std::make_unique<Worker>(most_questions);
@@ -76,16 +79,19 @@ void Room::start(RoomSetup setup) {
                            tell(std::move(status));
                          },
                          [mapping = mapping_.get()] { return mapping->crowded(); }};
-  control_ =
-      std::make_unique<ControlLoop>(std::move(setup.source), live::ControlOptions{}, setup.speed, std::move(host));
+  control_ = std::make_unique<ControlLoop>(std::move(setup.source), live::ControlOptions{}, setup.speed,
+                                           std::move(host), std::move(setup.navigation));
   if (setup.starts_tour && !source_.tour.empty() && !attended_)
     control_->control([](live::RobotControl& control) { control.tour(); });
 }
 
 std::vector<std::string> Room::modes() const {
   if (!drivable_) return {};
-  std::vector<std::string> modes{"stand", "drive", "goto"};
-  if (source_.tour.size() > 1) modes.insert(modes.begin(), "tour");
+  std::vector<std::string> modes;
+  if (navigates_) modes.assign(strategy_modes().begin(), strategy_modes().end());
+  if (!navigates_) modes.emplace_back("goto");
+  if (source_.tour.size() > 1) modes.emplace_back("tour");
+  modes.insert(modes.end(), {"stand", "drive"});
   return modes;
 }
 
@@ -136,6 +142,10 @@ std::vector<SharedFrame> Room::take(Viewer& viewer) {
   const bool new_state = status_ && viewer.cursor.tick != status_->tick;
   if (new_state) viewer.cursor.tick = status_->tick;
   std::vector<SharedFrame> frames = bundler_.take(viewer, new_state ? state_ : nullptr, behind);
+  if (viewer.cursor.greeted && viewer.cursor.plan != plan_version_) {
+    viewer.cursor.plan = plan_version_;
+    frames.push_back(plan_frame_);
+  }
   if (!behind.empty() && !viewer.cursor.catching_up) catch_up(viewer, std::move(behind));
   return frames;
 }
@@ -159,10 +169,20 @@ void Room::on_tick(std::shared_ptr<const RobotStatus> status) {
     tell_viewers();
   }
   note_stop(*status_);
+  note_plan(*status_);
   const std::uint64_t pings = bundler_.publication() ? bundler_.publication()->readings.size() : 0;
   state_ = std::make_shared<const Frame>(
       Frame{state_message(*status_, rights_, viewers_.size(), stopped_by_, pings), false});
   for (Viewer* viewer : viewers_) viewer->offer();
+}
+
+void Room::note_plan(const RobotStatus& status) {
+  if (status.plan == plan_) return;
+  plan_ = status.plan;
+  std::string text = plan_ ? plan_message(plan_->strategy, plan_->sketch) : no_plan_message();
+  if (plan_frame_ && plan_frame_->bytes == text) return;
+  plan_frame_ = std::make_shared<const Frame>(Frame{std::move(text), false});
+  ++plan_version_;
 }
 
 void Room::note_stop(const RobotStatus& status) {
@@ -302,8 +322,11 @@ void Room::on(Viewer& viewer, const ModeMessage& message) {
                    "welcome.modes lists them; goto needs x and y, drive is started by driving"});
   if (message.mode == "tour") control_->control([](live::RobotControl& control) { control.tour(); });
   if (message.mode == "stand") control_->control([](live::RobotControl& control) { control.stand(); });
-  if (message.mode == "goto")
-    control_->control([goal = Vec2{*message.x_m, *message.y_m}](live::RobotControl& control) { control.go_to(goal); });
+  const std::optional<Vec2> goal = has_goal ? std::optional(Vec2{*message.x_m, *message.y_m}) : std::nullopt;
+  if (navigates_ && std::ranges::find(strategy_modes(), message.mode) != strategy_modes().end())
+    control_->navigate(message.mode, goal);
+  else if (message.mode == "goto")
+    control_->control([goal](live::RobotControl& control) { control.go_to(*goal); });
 }
 
 void Room::change_map(Viewer& viewer, std::function<Result<void>(live::Mapper&)> change, std::string setup) {

@@ -35,6 +35,7 @@ struct RoomSetup {
   std::optional<double> planned_rate_hz = std::nullopt;  ///< pings of each sensor a second; none: no plan is known
   bool attended = false;                                 ///< the robot stands when nobody watches
   bool starts_tour = true;                               ///< if there is one
+  std::optional<Navigation> navigation = std::nullopt;   ///< none: it finds no way by itself
 };
 
 /// Who stopped the robot last.
@@ -95,6 +96,7 @@ class Room : public std::enable_shared_from_this<Room> {
   void tell_viewers();
   void driver_changed(std::optional<ViewerId> before, std::string_view reason);
   void note_stop(const RobotStatus& status);
+  void note_plan(const RobotStatus& status);
   void refuse(Viewer& viewer, std::optional<MessageId> id, const Error& error);
   [[nodiscard]] bool may(Viewer& viewer, std::optional<MessageId> id = std::nullopt);
   void change_map(Viewer& viewer, std::function<Result<void>(live::Mapper&)> change, std::string setup);
@@ -138,6 +140,7 @@ class Room : public std::enable_shared_from_this<Room> {
   std::string kind_;
   bool attended_ = false;
   bool drivable_ = false;
+  bool navigates_ = false;
   std::optional<double> planned_rate_hz_;
   live::SourceDescription source_;
   std::set<Viewer*> viewers_;
@@ -149,6 +152,9 @@ class Room : public std::enable_shared_from_this<Room> {
   live::Reason reason_ = live::Reason::none;
   std::optional<ViewerId> driven_by_;  ///< who gave the newest command
   SharedFrame state_;
+  std::shared_ptr<const Plan> plan_;  ///< that `plan_frame_` tells of
+  SharedFrame plan_frame_;            ///< null: nothing was planned yet
+  std::uint64_t plan_version_ = 0;
   std::shared_ptr<SessionWriter> log_;
   std::unique_ptr<Worker> questions_;
   std::unique_ptr<MappingLoop> mapping_;

@@ -98,6 +98,14 @@ Result<RoomSetup> furnish(std::string name, std::string kind, std::unique_ptr<li
   return RoomSetup{std::move(name), std::move(kind), std::move(source), std::move(*mapper), std::move(scores)};
 }
 
+/// Lets the robot of a scene find its way by itself.
+Result<void> add_navigation(RoomSetup& setup, std::optional<Vec2> home) {
+  Result<live::Navigator> navigator = live::Navigator::make(setup.source->description());
+  if (!navigator) return navigator.error();
+  setup.navigation.emplace(Navigation{std::move(*navigator), home});
+  return {};
+}
+
 Result<void> keep_log(RoomSetup& setup, const SceneRoom& room, const MappingChoice& mapping, bool anew) {
   const Log header = header_of(setup.source->description());
   Result<io::SessionLog> log = anew ? io::SessionLog::create(room.session, header, room.limits)
@@ -118,6 +126,7 @@ std::optional<double> planned_rate_hz(const sim::Scene& scene) {
 /// Where a session ended.
 struct Ending {
   double time_s = 0.0;
+  std::optional<Vec2> home;  // where it began
   std::optional<Pose2> T_world_true;
   std::optional<Pose2> T_world_odometry;
 
@@ -127,6 +136,7 @@ struct Ending {
       time_s = std::max(time_s, truth->pose.time_s);
     } else if (const auto* odometry = std::get_if<Odometry>(&record)) {
       T_world_odometry = odometry->T_world_robot;
+      if (!home) home = odometry->T_world_robot.position;
     } else if (const auto* ping = std::get_if<Ping>(&record)) {
       time_s = std::max(time_s, ping->time_s);
     }
@@ -149,6 +159,7 @@ Result<RoomSetup> make_scene_room(const SceneRoom& room, const MappingChoice& ma
   setup->speed = room.speed;
   setup->planned_rate_hz = planned_rate_hz(room.scene);
   setup->attended = room.attended;
+  if (const Result<void> added = add_navigation(*setup, std::nullopt); !added) return added.error();
   if (!room.session.empty())
     if (const Result<void> kept = keep_log(*setup, room, mapping, true); !kept) return kept.error();
   return setup;
@@ -221,6 +232,8 @@ Result<RoomSetup> resume_scene_room(const SceneRoom& room, const MappingChoice& 
   setup->speed = room.speed;
   setup->planned_rate_hz = planned_rate_hz(room.scene);
   setup->attended = room.attended;
+  setup->starts_tour = false;  // whoever resumes it may not be where the robot is
+  if (const Result<void> added = add_navigation(*setup, ending.home); !added) return added.error();
   if (const Result<void> kept = keep_log(*setup, room, mapping, false); !kept) return kept.error();
   return setup;
 }

@@ -111,6 +111,8 @@ std::string state_message(const RobotStatus& status, const DrivingRights& rights
                   {"w", status.velocity.turn_per_s.rad()},
                   {"mode", mode_name(control)},
                   {"reason", reason},
+                  {"strategy", control.strategy},
+                  {"detail", control.detail},
                   {"goal", json_of(control.goal)},
                   {"driver", rights.driver() ? Json(*rights.driver()) : Json()},
                   {"watchers", watchers},

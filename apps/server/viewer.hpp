@@ -26,6 +26,7 @@ struct ViewerCursor {
   std::uint64_t methods_version = 0;
   std::map<std::string, std::uint32_t> maps;  ///< sequence number by method
   std::uint64_t second = 0;
+  std::uint64_t plan = 0;  ///< version of the newest
   bool catching_up = false;
   std::optional<MappingLoop::CatchUp> caught;  ///< to be sent first
 };

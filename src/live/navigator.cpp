@@ -108,9 +108,11 @@ void Navigator::follow(std::unique_ptr<nav::Strategy> strategy, std::span<const 
   map_time_s_ = -std::numeric_limits<double>::infinity();
 }
 
-nav::Steering Navigator::steer(double time_s, const Pose2& T_world_base, const RobotVelocity& velocity) {
+nav::Steering Navigator::steer(double time_s, const Pose2& T_world_base, const RobotVelocity& velocity,
+                               std::span<const Vec2> beside) {
   map_readings();
   refresh_points(T_world_base.position);
+  points_.insert(points_.end(), beside.begin(), beside.end());
   if (time_s >= map_time_s_ + options_.map_period_s) refresh_map(time_s, T_world_base.position);
   return strategy_->update({.time_s = time_s,
                             .T_world_base = T_world_base,
@@ -167,6 +169,14 @@ std::optional<double> PointObstacles::free_along(const Pose2& T_world_base, cons
                                                  double hull_radius_m, int /*least_hits*/) const {
   constexpr double look_m = 3.0;
   return nav::free_way_m(T_world_base, velocity, hull_radius_m, points_, look_m);
+}
+
+std::optional<double> GuardedObstacles::free_along(const Pose2& T_world_base, const RobotVelocity& velocity,
+                                                   double hull_radius_m, int least_hits) const {
+  const std::optional<double> free_m = points_.free_along(T_world_base, velocity, hull_radius_m, least_hits);
+  const std::optional<double> close_m = close_->free_along(T_world_base, velocity, hull_radius_m, least_hits);
+  if (!close_m || *close_m > close_m_ || (free_m && *free_m <= *close_m)) return free_m;
+  return close_m;
 }
 
 }  // namespace echoarc::live

@@ -16,7 +16,7 @@ inline constexpr double corner_tolerance = 1e-9;
 
 /// Calls `visit(cell, length in it, m)` for every cell that the way from `a` to `b` touches, in their order; through a
 /// corner of cells, for the two beside it as well, with length 0. Ends early when `visit` gives false; whether it went
-/// to the end. Both ends lie within reach of the grid ([Amanatides87], with corners).
+/// to the end. Both ends lie within reach of the grid ([AmanatidesWoo87], with corners).
 template <class Visit>
 bool for_cells_on_way(const GridGeometry& geometry, Vec2 a, Vec2 b, Visit&& visit) {
   const Vec2 from = (a - geometry.origin) / geometry.cell_m;

@@ -33,6 +33,7 @@ class TimedStrategy final : public nav::Strategy {
 
   [[nodiscard]] std::string_view name() const override { return inner_->name(); }
   [[nodiscard]] nav::Sketch sketch() const override { return inner_->sketch(); }
+  [[nodiscard]] const nav::VoronoiGraph* voronoi_graph() const override { return inner_->voronoi_graph(); }
   [[nodiscard]] nav::Steering update(const nav::Surroundings& surroundings) override {
     if (!clock_) return inner_->update(surroundings);
     const double begin_s = clock_();
@@ -144,7 +145,9 @@ Result<bool> drive(live::LiveRobot& robot, Watch& watch, double limit_s, const S
 void conclude(ExplorationRun& run, const live::LiveRobot& robot, const live::ControlState& state, double time_s) {
   run.time_s = time_s;
   run.travelled_m = robot.travelled_m();
-  run.sketch = robot.navigator()->strategy()->sketch();
+  const nav::Strategy& strategy = *robot.navigator()->strategy();
+  run.sketch = strategy.sketch();
+  if (const nav::VoronoiGraph* graph = strategy.voronoi_graph()) run.graph = *graph;
   run.map = robot.navigator()->map().cells();
   run.reason = state.detail;
   if (state.reason == live::Reason::finished) run.status = nav::Status::finished;

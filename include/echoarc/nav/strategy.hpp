@@ -17,6 +17,8 @@
 
 namespace echoarc::nav {
 
+class VoronoiGraph;
+
 /// The body that is steered: a disc around the origin of its base, whose x axis is the direction of travel.
 struct RobotBody {
   double radius_m = 0.225;
@@ -68,6 +70,8 @@ class Strategy {
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual Steering update(const Surroundings& surroundings) = 0;
   [[nodiscard]] virtual Sketch sketch() const { return {}; }
+  /// The graph that it makes of the place; null for one that makes none. See nav/voronoi_graph.hpp.
+  [[nodiscard]] virtual const VoronoiGraph* voronoi_graph() const { return nullptr; }
 };
 
 }  // namespace echoarc::nav

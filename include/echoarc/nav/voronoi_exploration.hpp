@@ -56,6 +56,7 @@ class VoronoiExploration final : public Strategy {
   [[nodiscard]] std::string_view name() const override { return "gvg"; }
   [[nodiscard]] Steering update(const Surroundings& surroundings) override;
   [[nodiscard]] Sketch sketch() const override;
+  [[nodiscard]] const VoronoiGraph* voronoi_graph() const override { return &graph(); }
   [[nodiscard]] const VoronoiGraph& graph() const;
 
  private:

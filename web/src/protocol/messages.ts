@@ -8,7 +8,7 @@
  */
 export type AnyMessage = (FromClient | FromServer)
 export type FromClient = (Hello | Ping | Subscribe | Stop | Take | Release | Answer | Drive | Mode | MethodAdd | MethodRemove | Options | SensorSwitch | Playback | Open | Explain | Step | Pings | Snapshot)
-export type FromServer = (Welcome | History | State | Counters | Methods | Recompute | Scores | Timeline | Viewers | DriveRequest | DriveLost | Pong | Error | Bye | Opened | PingsEnd | SnapshotEnd | Explanation | Stepped)
+export type FromServer = (Welcome | History | State | Plan | Counters | Methods | Recompute | Scores | Timeline | Viewers | DriveRequest | DriveLost | Pong | Error | Bye | Opened | PingsEnd | SnapshotEnd | Explanation | Stepped)
 /**
  * x, y, yaw
  * 
@@ -362,9 +362,17 @@ v: number
 w: number
 mode: string
 /**
- * why it does what it does: "", "obstacle", "arrived", "blocked", "dead man", "stopped", "end of log"
+ * why it does what it does: "", "obstacle", "arrived", "blocked", "dead man", "stopped", "finished" and "failed" (a strategy that ended), "end of log"
  */
 reason: string
+/**
+ * that drives; while the robot stands: that ended here; else empty
+ */
+strategy: string
+/**
+ * what the strategy is doing, or why it ended; for people
+ */
+detail: string
 goal: (Point | null)
 driver: (number | null)
 watchers: number
@@ -388,6 +396,45 @@ drive_seq: (number | null)
  */
 drive_mono_us: (number | null)
 distance_m: number
+}
+/**
+ * What the strategy that drives has in mind; when it changed, at most twice a second.
+ */
+export interface Plan {
+type: "plan"
+/**
+ * empty: none drives, and nothing is planned
+ */
+strategy: string
+/**
+ * @maxItems 1000
+ */
+nodes: {
+at: Point
+/**
+ * "meet", "boundary" and "pass" of a Voronoi graph, "frontier", "goal", "start"
+ */
+kind: string
+}[]
+/**
+ * of a Voronoi graph, as far as they were driven
+ */
+edges: Point[][]
+/**
+ * planned way from the robot on
+ */
+path: Point[]
+/**
+ * where the robot takes itself to be: centre and axes, standard deviation along both
+ */
+estimate: ({
+pose: Pose
+deviation_m: Point
+} | null)
+/**
+ * nodes and lines that did not fit
+ */
+left_out: number
 }
 /**
  * Once a second: where every ping went.
