@@ -46,6 +46,12 @@ Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+Json json_of(const studies::MapScore& score) {
+  return {{"points", score.points},
+          {"mae_m", number(score.mae_m)},
+          {"correct_detection", number(score.detection.overall_ratio())}};
+}
+
 Json json_of(const ExplorationRun& run) {
   Json json{{"seed", run.seed},
             {"status", name(run.status)},
@@ -60,10 +66,10 @@ Json json_of(const ExplorationRun& run) {
             {"goal_distance_m", run.goal_distance_m},
             {"steering_p99_s", run.steering_p99_s},
             {"cpu_s", run.cpu_s}};
-  if (run.score)
-    json["score"] = {{"points", run.score->points},
-                     {"mae_m", number(run.score->mae_m)},
-                     {"correct_detection", number(run.score->detection.overall_ratio())}};
+  if (run.score) json["score"] = json_of(*run.score);
+  if (run.directions)
+    json["directional_maximum"] = {{"followed", json_of(run.directions->followed)},
+                                   {"ideal", json_of(run.directions->ideal)}};
   return json;
 }
 

@@ -56,10 +56,10 @@ double percentile_99(std::vector<double>& values) {
 }
 
 /// How good the method's map of everything that was heard is.
-Result<std::optional<MapScore>> score_of(const ExplorationRequest& request, const ExplorationRun& run) {
-  if (!request.scoring) return std::optional<MapScore>();
+Result<void> score(const ExplorationRequest& request, ExplorationRun& run) {
+  if (!request.scoring) return {};
   const Vec2 size = request.scoring->region.high - request.scoring->region.low;
-  if (size.x * size.y > largest_scored_m2) return std::optional<MapScore>();
+  if (size.x * size.y > largest_scored_m2) return {};
   const Result<Experiment> experiment = Experiment::make({request.scene, *request.scoring});
   if (!experiment) return experiment.error();
   const Result<Trial> trial = experiment->trial(run.seed, run.log);
@@ -67,7 +67,11 @@ Result<std::optional<MapScore>> score_of(const ExplorationRequest& request, cons
   const MethodSpec spec{.label = request.maps.method, .method = request.maps.method, .options = {}};
   const Result<std::vector<MethodResult>> results = run_methods(*trial, {&spec, 1});
   if (!results) return results.error();
-  return std::optional(results->front().points);
+  run.score = results->front().points;
+  Result<std::optional<DirectionScores>> directions = score_directions(*trial);
+  if (!directions) return directions.error();
+  run.directions = *directions;
+  return {};
 }
 
 /// A run while it happens.
@@ -184,11 +188,8 @@ Result<ExplorationRun> explore(const ExplorationRequest& request, const Reachabl
   run.collisions = source.simulation().contacts();
   run.steering_p99_s = percentile_99(steps_s);
   if (host.thread_cpu_s) run.cpu_s = host.thread_cpu_s() - begin_cpu_s;
-  if (request.keep_log) {
-    Result<std::optional<MapScore>> score = score_of(request, run);
-    if (!score) return score.error();
-    run.score = *score;
-  }
+  if (request.keep_log)
+    if (const Result<void> scored = score(request, run); !scored) return scored.error();
   return std::move(run);
 }
 

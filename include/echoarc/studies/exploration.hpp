@@ -16,6 +16,7 @@
 #include "echoarc/nav/voronoi_graph.hpp"
 #include "echoarc/sim/scene.hpp"
 #include "echoarc/studies/experiment.hpp"
+#include "echoarc/studies/followed_direction.hpp"
 #include "echoarc/studies/reachable_floor.hpp"
 #include "echoarc/studies/study_host.hpp"
 
@@ -46,15 +47,16 @@ struct ExplorationRun {
   std::string reason;
   double time_s = 0.0;
   double travelled_m = 0.0;
-  std::uint64_t collisions = 0;            ///< how often the bumper held the robot
-  double least_clearance_m = 0.0;          ///< of the hull from what stands still, over the whole way
-  std::vector<CoverageSample> coverage;    ///< every 10 s, and the end
-  std::vector<double> goal_distance_m;     ///< how near the robot's centre came to each goal
-  DenseGrid<CellState> map;                ///< that plans were made on, at the end
-  std::optional<MapScore> score;           ///< of the method's points over all that was heard
-  std::optional<nav::VoronoiGraph> graph;  ///< of a strategy that makes one
-  nav::Sketch sketch;                      ///< what the strategy had in mind at the end
-  Log log;                                 ///< with truth; empty unless it was asked for
+  std::uint64_t collisions = 0;               ///< how often the bumper held the robot
+  double least_clearance_m = 0.0;             ///< of the hull from what stands still, over the whole way
+  std::vector<CoverageSample> coverage;       ///< every 10 s, and the end
+  std::vector<double> goal_distance_m;        ///< how near the robot's centre came to each goal
+  DenseGrid<CellState> map;                   ///< that plans were made on, at the end
+  std::optional<DirectionScores> directions;  ///< where a wall was followed and the scoring has walls
+  std::optional<MapScore> score;              ///< of the method's points over all that was heard
+  std::optional<nav::VoronoiGraph> graph;     ///< of a strategy that makes one
+  nav::Sketch sketch;                         ///< what the strategy had in mind at the end
+  Log log;                                    ///< with truth; empty unless it was asked for
   double steering_p99_s = 0.0;  ///< CPU time of the strategy's step: avoidance and planning; 0 without a clock
   double cpu_s = 0.0;
 };
