@@ -18,7 +18,7 @@ if(ECHOARC_SANITIZE)
   target_link_options(echoarc_build_flags INTERFACE -fsanitize=${ECHOARC_SANITIZE})
   # Instrumented moves of vectors look like overruns to GCC 12 (GCC bug 105651).
   target_compile_options(echoarc_build_flags INTERFACE
-    "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-stringop-overflow>")
+    "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
 endif()
 if(ECHOARC_COVERAGE)
   target_compile_options(echoarc_build_flags INTERFACE --coverage -fprofile-update=atomic)

@@ -63,9 +63,7 @@ Json json_of(const ExplorationRun& run) {
             {"covered", covered(run)},
             {"goals", run.goal_distance_m.size()},
             {"goals_reached", goals_reached(run)},
-            {"goal_distance_m", run.goal_distance_m},
-            {"steering_p99_s", run.steering_p99_s},
-            {"cpu_s", run.cpu_s}};
+            {"goal_distance_m", run.goal_distance_m}};
   if (run.score) json["score"] = json_of(*run.score);
   if (run.directions)
     json["directional_maximum"] = {{"followed", json_of(run.directions->followed)},
@@ -79,14 +77,39 @@ std::string cell(double value) {
 
 std::string runs_csv(const std::vector<ExplorationRun>& runs) {
   std::string text =
-      "seed,status,reason,time_s,travelled_m,collisions,least_clearance_m,covered,goals_reached,points,mae_m,cpu_s,"
-      "steering_p99_s\n";
+      "seed,status,reason,time_s,travelled_m,collisions,least_clearance_m,covered,goals_reached,points,mae_m\n";
   for (const ExplorationRun& run : runs)
-    text += fmt::format("{},{},\"{}\",{:.2f},{:.3f},{},{},{:.5f},{},{},{},{:.3f},{:.6f}\n", run.seed, name(run.status),
-                        run.reason, run.time_s, run.travelled_m, run.collisions, cell(run.least_clearance_m),
-                        covered(run), goals_reached(run), run.score ? run.score->points : 0,
-                        run.score ? cell(run.score->mae_m) : "", run.cpu_s, run.steering_p99_s);
+    text += fmt::format("{},{},\"{}\",{:.2f},{:.3f},{},{},{:.5f},{},{},{}\n", run.seed, name(run.status), run.reason,
+                        run.time_s, run.travelled_m, run.collisions, cell(run.least_clearance_m), covered(run),
+                        goals_reached(run), run.score ? run.score->points : 0, run.score ? cell(run.score->mae_m) : "");
   return text;
+}
+
+/// The only figures that differ from run to run.
+Json times_of(const ExplorationRun& run) {
+  return {{"seed", run.seed}, {"cpu_s", run.cpu_s}, {"steering_p99_s", run.steering_p99_s}};
+}
+
+Json report_of(const ExplorationReport& report) {
+  Json runs = Json::array();
+  for (const ExplorationRun& run : report.runs) runs.push_back(json_of(run));
+  return {{"written_by", "echoarc"},
+          {"version", ECHOARC_VERSION},
+          {"command", report.command},
+          {"scene", report.request->scene.name},
+          {"strategy", report.request->strategy},
+          {"method", report.request->maps.method},
+          {"runs", std::move(runs)}};
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string timings(const std::vector<ExplorationRun>& runs) {
+  Json times = Json::array();
+  for (const ExplorationRun& run : runs) times.push_back(times_of(run));
+  return text_of({{"runs", std::move(times)}});
 }
 
 std::string coverage_csv(const std::vector<ExplorationRun>& runs) {
@@ -158,23 +181,17 @@ std::string exploration_table(const ExplorationReport& report) {
 }
 
 std::string exploration_json(const ExplorationReport& report) {
-  Json runs = Json::array();
-  for (const ExplorationRun& run : report.runs) runs.push_back(json_of(run));
-  const Json json{{"written_by", "echoarc"},
-                  {"version", ECHOARC_VERSION},
-                  {"command", report.command},
-                  {"scene", report.request->scene.name},
-                  {"strategy", report.request->strategy},
-                  {"method", report.request->maps.method},
-                  {"runs", std::move(runs)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  Json json = report_of(report);
+  for (std::size_t k = 0; k < report.runs.size(); ++k) json["runs"][k].update(times_of(report.runs[k]));
+  return text_of(json);
 }
 
 Result<void> write_exploration(const std::filesystem::path& folder, const ExplorationReport& report, bool logs) {
   if (Result<void> written = write_text(folder / "runs.csv", runs_csv(report.runs)); !written) return written;
   if (Result<void> written = write_text(folder / "coverage.csv", coverage_csv(report.runs)); !written) return written;
-  if (Result<void> written = write_text(folder / io::run_report_name, exploration_json(report)); !written)
+  if (Result<void> written = write_text(folder / io::run_report_name, text_of(report_of(report))); !written)
     return written;
+  if (Result<void> written = write_text(folder / "timings.json", timings(report.runs)); !written) return written;
   for (const ExplorationRun& run : report.runs)
     if (Result<void> written = write_run(folder, report, run, logs); !written) return written;
   return {};

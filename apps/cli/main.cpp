@@ -19,9 +19,9 @@ namespace echoarc::cli {
 namespace {
 
 std::vector<Verb> all_verbs() {
-  return {map_verb(),       eval_verb(),    info_verb(),    doctor_verb(), methods_verb(),
-          bench_verb(),     init_verb(),    convert_verb(), sim_verb(),    sweep_verb(),
-          reproduce_verb(), explain_verb(), compare_verb(), explore_verb(), serve_verb(),  demo_verb()};
+  return {map_verb(),     eval_verb(),    info_verb(),     doctor_verb(), methods_verb(),   bench_verb(),
+          init_verb(),    convert_verb(), sim_verb(),      sweep_verb(),  reproduce_verb(), explain_verb(),
+          compare_verb(), explore_verb(), localise_verb(), serve_verb(),  demo_verb()};
 }
 
 const std::vector<Example>& first_steps() {

@@ -52,6 +52,7 @@ struct Verb {
 [[nodiscard]] Verb reproduce_verb();
 [[nodiscard]] Verb compare_verb();
 [[nodiscard]] Verb explore_verb();
+[[nodiscard]] Verb localise_verb();
 [[nodiscard]] Verb serve_verb();
 [[nodiscard]] Verb demo_verb();
 
