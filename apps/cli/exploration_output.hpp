@@ -20,7 +20,8 @@ struct ExplorationReport {
 
 [[nodiscard]] std::string exploration_table(const ExplorationReport& report);
 [[nodiscard]] std::string exploration_json(const ExplorationReport& report);
-/// runs.csv, coverage.csv, run.json, timings.json; of every run a picture, its graph where it has one, and with `logs` its log.
+/// runs.csv, coverage.csv, run.json, timings.json; of every run a picture, its graph where it has one, and with `logs`
+/// its log.
 [[nodiscard]] Result<void> write_exploration(const std::filesystem::path& folder, const ExplorationReport& report,
                                              bool logs);
 
