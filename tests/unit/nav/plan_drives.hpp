@@ -33,6 +33,7 @@ struct Drive {
   static constexpr double step_s = 0.1;
 
   void look() {
+    if (!is_finite(T_world_base.position)) return;  // nobody knows what it would see
     const GridGeometry& geometry = truth.geometry();
     if (known.empty()) known = DenseGrid<CellState>(geometry, truth.width(), truth.height());
     for (int k = 0; k < 180; ++k)
@@ -62,6 +63,7 @@ struct Drive {
                                 .map_version = version});
     T_world_base = driven(T_world_base, steering.wanted, step_s);
     time_s += step_s;
+    if (!is_finite(T_world_base.position)) return;
     const GridGeometry& geometry = truth.geometry();
     const Cell here = geometry.cell_of(T_world_base.position);
     if (!truth.box().contains(here)) return;
