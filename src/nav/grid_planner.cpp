@@ -44,8 +44,8 @@ void GridPlanner::begin(const CostMap& map, Vec2 start, std::span<const PlanGoal
   if (map.empty()) return fail(PlanFault::no_map);
   prepare(map);
   start_ = start;
-  const Cell cell = map.geometry().cell_of(start);
   if (!is_finite(start)) return fail(PlanFault::bad_start);
+  const Cell cell = map.geometry().cell_of(start);
   if (!map.cells().box().contains(cell)) return fail(PlanFault::start_off_map);
   if (!admit_goals(map, goals)) return;
   const std::optional<Cell> from = depart(map, cell);
