@@ -4,6 +4,7 @@
 #include "server/strategy_modes.hpp"
 
 #include <array>
+#include <string>
 #include <utility>
 
 namespace echoarc::server {
@@ -11,17 +12,18 @@ namespace {
 
 constexpr std::array<std::string_view, 6> modes{"frontier", "gvg", "wall-left", "wall-right", "goto", home_mode};
 
-/// Goes to a point, under another name.
-class WayHome final : public nav::Strategy {
+/// A strategy under the name of its mode: one strategy may serve several.
+class Named final : public nav::Strategy {
  public:
-  explicit WayHome(std::unique_ptr<nav::Strategy> way) : way_(std::move(way)) {}
+  Named(std::string_view name, std::unique_ptr<nav::Strategy> strategy) : name_(name), strategy_(std::move(strategy)) {}
 
-  [[nodiscard]] std::string_view name() const override { return home_mode; }
-  [[nodiscard]] nav::Steering update(const nav::Surroundings& now) override { return way_->update(now); }
-  [[nodiscard]] nav::Sketch sketch() const override { return way_->sketch(); }
+  [[nodiscard]] std::string_view name() const override { return name_; }
+  [[nodiscard]] nav::Steering update(const nav::Surroundings& now) override { return strategy_->update(now); }
+  [[nodiscard]] nav::Sketch sketch() const override { return strategy_->sketch(); }
 
  private:
-  std::unique_ptr<nav::Strategy> way_;
+  std::string name_;
+  std::unique_ptr<nav::Strategy> strategy_;
 };
 
 }  // namespace
@@ -31,10 +33,9 @@ std::span<const std::string_view> strategy_modes() {
 }
 
 Result<std::unique_ptr<nav::Strategy>> make_mode(std::string_view mode, const nav::StrategySettings& settings) {
-  if (mode != home_mode) return nav::make_strategy(mode, settings);
-  Result<std::unique_ptr<nav::Strategy>> way = nav::make_strategy("goto", settings);
-  if (!way) return way.error();
-  return std::make_unique<WayHome>(std::move(*way));
+  Result<std::unique_ptr<nav::Strategy>> strategy = nav::make_strategy(mode == home_mode ? "goto" : mode, settings);
+  if (!strategy) return strategy.error();
+  return std::unique_ptr<nav::Strategy>(std::make_unique<Named>(mode, std::move(*strategy)));
 }
 
 }  // namespace echoarc::server

@@ -134,6 +134,28 @@ class ServeTest(CommandTest):
         self.succeed("serve", "--resume", "session", "--duration", "0")
         self.assertEqual(check(), before)
 
+    def test_robot_explores_by_itself_and_stands_when_resumed(self):
+        served = self.serve("--scene", "t-world", "--method", "evidence", "--speed", "4", "-o", "session")
+        driver = Viewer(served.port, token=served.token)
+        self.addCleanup(driver.close)
+        modes = driver.wait_for("welcome")["modes"]
+        for mode in ("frontier", "gvg", "wall-left", "wall-right", "goto", "home"):
+            self.assertIn(mode, modes)
+        driver.say({"type": "mode", "mode": "gvg"})
+        self.assertEqual(driver.wait_for("plan")["strategy"], "gvg")
+        self.assertTrue(any(driver.wait_for("state")["mode"] == "gvg" for _ in range(50)))
+        driver.close()
+        viewer, states = self.watch(served, 4.0)
+        self.assertEqual({state["mode"] for state in states}, {"gvg"}, "it goes on without the one who started it")
+        self.assertNotEqual(states[0]["pose"], states[-1]["pose"])
+        viewer.close()
+        self.assertEqual(served.end(), 0, served.lines)
+        lines = [json.loads(line) for line in (self.dir / "session/session.jsonl").read_text().splitlines()]
+        self.assertIn("gvg", {line["mode"] for line in lines if line["type"] == "command"})
+        _, states = self.watch(self.serve("--resume", "session"), 1.0)
+        self.assertEqual({state["mode"] for state in states}, {"stand"})
+        self.assertEqual(states[0]["pose"], states[-1]["pose"])
+
     def test_robot_stops_when_its_driver_is_gone(self):
         for result in dead_man.run(COMMAND, trials=6, seed=7):
             self.assertTrue(dead_man.in_time(result), result)

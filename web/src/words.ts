@@ -45,14 +45,26 @@ export const words = {
 };
 
 const modeWords: Record<string, string> = {
-  stand: 'Standing', tour: 'Touring by itself', drive: 'Driven', goto: 'Going to a point', explore: 'Exploring by itself',
-  follow_left: 'Following the left wall', follow_right: 'Following the right wall',
+  stand: 'Standing', tour: 'Touring by itself', drive: 'Driven', goto: 'Going to a point', home: 'Returning home', frontier: 'Exploring frontiers',
+  gvg: 'Exploring the Voronoi graph', 'wall-left': 'Following the left wall', 'wall-right': 'Following the right wall',
 };
 const modeActions: Record<string, string> = {
-  stand: 'Stand', tour: 'Tour', goto: 'Go to point', explore: 'Explore', follow_left: 'Follow left wall', follow_right: 'Follow right wall',
+  frontier: 'Explore frontiers', gvg: 'Explore Voronoi graph', 'wall-left': 'Follow left wall', 'wall-right': 'Follow right wall',
+  goto: 'Go to point', home: 'Return home', tour: 'Tour', stand: 'Stand',
 };
 export const modeNow = (mode: string): string => modeWords[mode] ?? capital(plain(mode));
 export const modeAction = (mode: string): string => modeActions[mode] ?? capital(plain(mode));
+
+/** As the menu lists them; a mode that is started otherwise, by driving, is not among them. */
+export function menuModes(modes: readonly string[]): string[] {
+  const order = Object.keys(modeActions);
+  const known = order.filter((mode) => modes.includes(mode));
+  return [...known, ...modes.filter((mode) => mode !== 'drive' && !order.includes(mode))];
+}
+/** How a strategy ended by itself. */
+export function modeEnded(mode: string, reached: boolean, detail: string): string {
+  return `${modeAction(mode)}: ${reached ? 'done' : 'given up'}${detail === '' ? '' : `, ${detail}`}`;
+}
 
 /** Who moved the robot when the connection broke, and what that means now. */
 export function whoDrove(mode: string, driver: string | null, iDrove: boolean): string {

@@ -68,6 +68,18 @@ TEST(MessageSchema, StateOfEveryKind) {
   EXPECT_EQ(message["driver"], 3);
   EXPECT_TRUE(message["free_ahead_m"].is_null()) << "JSON has no infinity";
   EXPECT_EQ(message["limited_by"], "obstacle");
+  status.control.mode = live::Mode::navigate;
+  status.control.strategy = "wall-left";
+  status.control.detail = "around a corner";
+  message = good(state_message(status, rights, 2, std::nullopt, 5));
+  EXPECT_EQ(message["mode"], "wall-left");
+  EXPECT_EQ(message["detail"], "around a corner");
+  status.control.mode = live::Mode::stand;
+  status.control.reason = live::Reason::failed;
+  message = good(state_message(status, rights, 2, std::nullopt, 5));
+  EXPECT_EQ(message["mode"], "stand");
+  EXPECT_EQ(message["strategy"], "wall-left") << "that ended";
+  EXPECT_EQ(message["reason"], "failed");
   status.control.reason = live::Reason::stopped;
   for (const char* who : {"viewer", "obstacle", "dead_man", "host"})
     message = good(state_message(status, rights, 2, StopNote{who, std::nullopt, ""}, 5));

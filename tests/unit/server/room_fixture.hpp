@@ -48,6 +48,13 @@ inline RoomSetup log_room(const std::vector<live::MethodChoice>& methods, Execut
 inline RoomSetup scene_room(const std::vector<live::MethodChoice>& methods, Executor& executor) {
   return furnished("scene", live::SimulatedSource::make(live::plain_room(), 1).value(), methods, executor);
 }
+/// The same with a robot that finds its way by itself, so many times faster than real time.
+inline RoomSetup exploring_room(const std::vector<live::MethodChoice>& methods, Executor& executor, double speed) {
+  RoomSetup setup = scene_room(methods, executor);
+  setup.navigation.emplace(Navigation{live::Navigator::make(setup.source->description()).value(), std::nullopt});
+  setup.speed = speed;
+  return setup;
+}
 
 /// The thread of input and output: the test's own.
 class IoThread {

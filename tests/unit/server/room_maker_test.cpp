@@ -107,7 +107,9 @@ TEST_F(Sessions, GoesOnWhereItEndedWithTheSameMaps) {
   EXPECT_GT(setup.source->time_s(), before.last_truth.time_s);
   EXPECT_LT(setup.source->time_s(), before.last_truth.time_s + 1.0);
   EXPECT_LT(norm(setup.source->drivable()->T_world_base().position - before.last_pose.T_world_robot.position), 1e-6);
-  setup.starts_tour = false;
+  EXPECT_FALSE(setup.starts_tour) << "it stands until somebody starts it";
+  ASSERT_TRUE(setup.navigation && setup.navigation->home);
+  EXPECT_LT(norm(*setup.navigation->home - Vec2{1.0, 2.0}), 1e-6) << "where the session began, not where it goes on";
   open(std::move(setup));
   {
     FakeViewer viewer(*room, 1);

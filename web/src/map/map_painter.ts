@@ -24,7 +24,7 @@ import { Tags } from './tags.ts';
 const [explainScale, stepScale] = [300, 340];
 const hoverRestMs = 120;
 const blinkMs = 250;
-const dataTopics = ['state', 'pings', 'map', 'path', 'laser', 'methods', 'welcome', 'view'] as const;
+const dataTopics = ['state', 'plan', 'pings', 'map', 'path', 'laser', 'methods', 'welcome', 'view'] as const;
 
 /** The map: keeps the two canvases, asks the parts what to draw, and draws it when something changed. */
 export class MapPainter implements MapView {

@@ -4,12 +4,13 @@
 /** Layers 9 to 13: what lies over the ground, on the 2-D canvas. */
 import type { Model } from '../model/model.ts';
 import type { PingRecord } from '../model/ping_store.ts';
-import type { Explanation } from '../protocol/messages.ts';
+import type { Explanation, Plan } from '../protocol/messages.ts';
 import { drawArcs, drawCones } from './cones.ts';
 import { arcOfRecord, type EchoArc } from './echo_arc.ts';
 import { dimAlpha, drawExplanation, outlineCell } from './explain_layer.ts';
 import { withAlpha } from './palette.ts';
 import type { Pen } from './pen.ts';
+import { drawPlan } from './plan_layer.ts';
 import { drawGoal, drawMotion, drawRobot, type RobotPose } from './robot.ts';
 import { markSlots, type MarkSlot } from './slots.ts';
 import { drawCellLines, drawStep, stepPose, type StepView } from './step_layer.ts';
@@ -116,10 +117,19 @@ function cellLines(pen: Pen, model: Model, { stepped }: StepView): void {
   if (cellM) drawCellLines(pen, cellM, grid?.x ?? 0, grid?.y ?? 0);
 }
 
+/** What the strategy has in mind now, where the view looks at now. */
+function shownPlan(model: Model): Plan | null {
+  const { view, plan, held } = model;
+  const there = view.layers.has('plan') && view.name !== 'compare' && view.name !== 'step' && !held;
+  return there ? plan : null;
+}
+
 function robot(pen: Pen, model: Model, state: OverlayState, pose: RobotPose): void {
   const radius = robotRadius(model);
+  const plan = shownPlan(model);
+  if (plan) drawPlan(pen, plan, pose, radius);
   const goal = state.goal ?? (model.state?.goal && !model.held ? { x: model.state.goal[0], y: model.state.goal[1] } : null);
-  if (goal && !state.step) drawGoal(pen, pose, goal, radius);
+  if (goal && !state.step && !plan) drawGoal(pen, pose, goal, radius);
   if (state.motion && !model.held) drawMotion(pen, pose, state.motion.v, state.motion.w, model.welcome?.limits.stop_deceleration_m_s2 ?? 1.5);
   drawRobot(pen, pose, radius);
 }

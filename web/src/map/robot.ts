@@ -38,11 +38,16 @@ export function drawGhost(pen: Pen, x: number, y: number, radiusM: number): void
 }
 
 export function drawGoal(pen: Pen, from: RobotPose, goal: { x: number; y: number }, radiusM: number): void {
-  const { g, palette } = pen;
-  g.beginPath();
+  pen.g.beginPath();
   pen.move(from.x, from.y);
   pen.line(goal.x, goal.y);
-  pen.stroke(palette.css.accent, 2, [6, 5]);
+  pen.stroke(pen.palette.css.accent, 2, [6, 5]);
+  drawTarget(pen, goal, radiusM);
+}
+
+/** Where the robot is to stand. */
+export function drawTarget(pen: Pen, goal: { x: number; y: number }, radiusM: number): void {
+  const { g, palette } = pen;
   g.beginPath();
   g.arc(pen.x(goal.x), pen.y(goal.y), Math.max(leastPx, radiusM * pen.s), 0, 2 * Math.PI);
   g.fillStyle = withAlpha(palette.rgb.accent, 0.12);

@@ -7,7 +7,7 @@ import { defaultCompare } from './url_state.ts';
 
 export function defaultView(dark: boolean): View {
   return {
-    name: 'map', camera: null, follow: false, shown: [], layers: new Set(['arcs', 'bounds', 'path']), arcs: 'scan',
+    name: 'map', camera: null, follow: false, shown: [], layers: new Set(['arcs', 'bounds', 'path', 'plan']), arcs: 'scan',
     compare: defaultCompare, heldAt: null, ping: null, step: 1, cell: null, explain: null, sensor: null, optionsOf: null,
     theme: dark ? 'dark' : 'light',
   };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 import { Answers } from '../net/answers.ts';
-import type { Counters, DriveLost, DriveRequest, Error as Refusal, Methods, Recompute, Scores, State, Viewers, Welcome } from '../protocol/messages.ts';
+import type { Counters, DriveLost, DriveRequest, Error as Refusal, Methods, Plan, Recompute, Scores, State, Viewers, Welcome } from '../protocol/messages.ts';
 import { emptyTimeline } from './history.ts';
 import type { MapStore } from './map_store.ts';
 import type { ConnectionState, ScoreSeries, Timeline } from './model.ts';
@@ -12,6 +12,7 @@ import { PingRing } from './ping_ring.ts';
 export class Live {
   welcome: Welcome | null = null;
   state: State | null = null;
+  plan: Plan | null = null;
   counters: Counters | null = null;
   methods: Methods | null = null;
   scores: Scores | null = null;

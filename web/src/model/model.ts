@@ -6,14 +6,14 @@
  * over the wire, and only actions of the person (or the URL) write `view`.
  */
 import type {
-  Counters, DriveLost, DriveRequest, Error as Refusal, Explain, FromClient, Methods, Open, Pings, Pose, Recompute, Scores, Snapshot,
+  Counters, DriveLost, DriveRequest, Error as Refusal, Explain, FromClient, Methods, Open, Pings, Plan, Pose, Recompute, Scores, Snapshot,
   State, Step, Viewers, Welcome,
 } from '../protocol/messages.ts';
 import type { MethodMap } from './method_map.ts';
 import type { PingRecord, PingStore } from './ping_store.ts';
 
 export type Topic =
-  | 'connection' | 'welcome' | 'state' | 'counters' | 'methods' | 'scores' | 'timeline' | 'viewers' | 'pings'
+  | 'connection' | 'welcome' | 'state' | 'plan' | 'counters' | 'methods' | 'scores' | 'timeline' | 'viewers' | 'pings'
   | 'map' | 'path' | 'laser' | 'view' | 'recompute' | 'drive_request' | 'drive_lost' | 'refused' | 'frame';
 
 export type Phase = 'connecting' | 'live' | 'lost' | 'ended';
@@ -38,7 +38,7 @@ export interface ConnectionState {
 export interface Camera { x: number; y: number; /** pixels per metre, 8 to 600 */ s: number }
 
 export type ViewName = 'map' | 'compare' | 'step' | 'explain' | 'sensor' | 'options';
-export type LayerName = 'arcs' | 'bounds' | 'path' | 'truth' | 'laser';
+export type LayerName = 'arcs' | 'bounds' | 'path' | 'plan' | 'truth' | 'laser';
 
 /** What this page shows: the state in the URL (page design 8). */
 export interface View {
@@ -83,6 +83,8 @@ export interface Model {
   readonly connection: ConnectionState;
   readonly welcome: Welcome | null;
   readonly state: State | null;
+  /** Null while no strategy drives. */
+  readonly plan: Plan | null;
   readonly counters: Counters | null;
   readonly methods: Methods | null;
   readonly scores: Scores | null;

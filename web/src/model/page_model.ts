@@ -67,6 +67,7 @@ export class PageModel implements Model {
   get connection() { return this.live.connection; }
   get welcome() { return this.live.welcome; }
   get state() { return this.live.state; }
+  get plan() { return this.live.plan; }
   get counters() { return this.live.counters; }
   get methods() { return this.live.methods; }
   get scores() { return this.live.scores; }

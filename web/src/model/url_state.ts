@@ -5,7 +5,7 @@
 import type { Camera, LayerName, View, ViewName } from './model.ts';
 
 export const viewNames: readonly ViewName[] = ['map', 'compare', 'step', 'explain', 'sensor', 'options'];
-export const layerNames: readonly LayerName[] = ['arcs', 'bounds', 'path', 'truth', 'laser'];
+export const layerNames: readonly LayerName[] = ['arcs', 'bounds', 'path', 'plan', 'truth', 'laser'];
 export const scaleRange = { min: 8, max: 600 } as const;
 const placeLimitM = 1e5;
 const nameForm = /^[a-z0-9][a-z0-9_-]{0,63}$/i;

@@ -28,6 +28,7 @@ export class Receiver {
         break;
       case 'timeline': applyBins(live.timeline, message); this.tell('timeline'); break;
       case 'state': live.state = message; this.tell('state'); break;
+      case 'plan': live.plan = message.strategy === '' ? null : message; this.tell('plan'); break;
       case 'counters': live.counters = message; this.tell('counters'); break;
       case 'methods': this.methods(message); break;
       case 'recompute':
@@ -74,6 +75,7 @@ export class Receiver {
     }
     this.welcomed = new Set();
     live.welcome = message;
+    live.plan = null;
     live.recompute.clear();
     this.tell('welcome');
   }

@@ -6,13 +6,14 @@ import type { App, Panel } from '../ui/app.ts';
 import { h } from '../ui/dom.ts';
 import { fixed, words } from '../ui/format.ts';
 import { layerPicture } from '../ui/marks.ts';
+import { planInWords } from '../ui/plan_words.ts';
 import { methodRows } from './method_rows.ts';
 import { readings, showRejected } from './readings.ts';
 import { refill } from './refill.ts';
 import { wireCrosshair } from './crosshair.ts';
 import { scoreSection } from './score_chart.ts';
 
-const layers: readonly [LayerName, string][] = [['arcs', 'Arcs and cones'], ['bounds', 'Error bounds'], ['path', 'Path'], ['truth', 'True walls'], ['laser', 'Laser']];
+const layers: readonly [LayerName, string][] = [['arcs', 'Arcs and cones'], ['bounds', 'Error bounds'], ['path', 'Path'], ['plan', 'Plan'], ['truth', 'True walls'], ['laser', 'Laser']];
 const arcWords: Record<string, string> = { scan: 'last scan', 250: 'last 250' };
 
 function arcsFact({ model }: App): string {
@@ -26,6 +27,7 @@ function layerFact(app: App, name: LayerName): { fact: string; off: boolean } {
   if (name === 'arcs') return { fact: arcsFact(app), off: false };
   if (name === 'bounds') return { fact: 'on points', off: false };
   if (name === 'path') return { fact: `${fixed(app.model.state?.distance_m ?? 0, 1)} m`, off: false };
+  if (name === 'plan') return { fact: planInWords(app.model.plan), off: false };
   const there = name === 'truth' ? (source?.walls.length ?? 0) > 0 : source?.has_laser ?? false;
   return { fact: there ? '' : 'not in this source', off: !there };
 }

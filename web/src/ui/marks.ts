@@ -27,6 +27,8 @@ export function layerPicture(name: string): SVGElement {
     case 'bounds': return picture(20, [path('M4 13A14 14 0 0 1 16 3', { stroke: 'var(--atm)', 'stroke-width': 3, opacity: 0.4 }),
       path('M9 4.2l3 3-3 3-3-3z', { fill: 'var(--atm)' })]);
     case 'path': return picture(20, [path('M2 13c4 0 3-9 8-9s4 6 8 5', { stroke: 'var(--accent)', 'stroke-width': 1.5 })]);
+    case 'plan': return picture(20, [path('M2 12L8 5l5 5', { stroke: 'var(--ink2)', 'stroke-width': 1.75 }), path('M13 10l5-7', { stroke: 'var(--accent)', 'stroke-width': 2, 'stroke-dasharray': '3 2' }),
+      svg('circle', { cx: 8, cy: 5, r: 2.2, fill: 'var(--ink)' })]);
     case 'truth': return picture(20, [path('M2 12V4h16', { stroke: 'var(--ink3)', 'stroke-width': 1.5, 'stroke-dasharray': '1.5 2.5' })]);
     default: return picture(20, [[3, 11], [7, 7], [12, 5], [17, 5]].map(([cx, cy]) => svg('circle', { cx: cx ?? 0, cy: cy ?? 0, r: 1.2, fill: 'var(--ink3)' })));
   }

@@ -1,48 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The echoarc authors
 // SPDX-License-Identifier: Apache-2.0
 
-/** What floats above the map: mode, controls, scale, hints, and what is wrong. */
+/** What floats above the map: controls, scale, hints, and what is wrong. */
 import { rejectionRows } from '../panels/readings.ts';
-import { askForToken, driverName, handOverMenu } from '../drive/rights.ts';
-import { modeAction, modeNow, whoDrove, words } from '../words.ts';
+import { driverName } from '../drive/rights.ts';
+import { modeNow, whoDrove, words } from '../words.ts';
 import type { App } from './app.ts';
 import { h, say } from './dom.ts';
 import { capital, fixed, heading, whole, words as plain } from './format.ts';
 import { icon, type IconName } from './icons.ts';
-import { menu } from './popover.ts';
+import { planInWords } from './plan_words.ts';
 import { toggleSheet } from './sheet.ts';
 
 const hintKey = 'echoarc.hint';
-
-export function mountModeChip(app: App, over: HTMLElement, startGoTo: () => void): void {
-  const mode = h('span'), speed = h('small'), hand = h('button', { class: 'btn sm' }, words.handOver);
-  const driving = h('span', {}, words.youDrive);
-  const chip: HTMLButtonElement = h('button', { class: 'chip', 'aria-haspopup': 'menu', hidden: true }, [h('span', { class: 'rb' }), mode, speed, icon('chev')]);
-  const mine = h('div', { class: 'chip mine', hidden: true }, [h('span', { class: 'dot' }), driving, hand]);
-  over.append(chip, mine);
-  hand.addEventListener('click', () => handOverMenu(app, hand));
-  chip.addEventListener('click', () => {
-    const { welcome } = app.model;
-    if (!welcome?.you.may_drive) { askForToken(app); return; }
-    menu(chip, 'Mode', welcome.modes.filter((m) => m !== 'drive').map((m) => ({
-      label: modeAction(m), current: m === app.model.state?.mode, run: () => { if (m === 'goto') startGoTo(); else app.model.send({ type: 'mode', mode: m }); },
-    })));
-  });
-  app.model.on('state', () => {
-    const s = app.model.state;
-    if (!s) return;
-    chip.hidden = app.driving.active;
-    mine.hidden = !app.driving.active;
-    const log = app.model.welcome?.source.kind === 'log';
-    chip.disabled = log;
-    const isBlocked = s.limited_by === 'obstacle' && s.limit_m_s < 0.02 && s.free_ahead_m !== null;
-    say(driving, isBlocked ? words.obstacleAhead((s.free_ahead_m ?? 0) * 100) : words.youDrive);
-    const driver = driverName(app);
-    if (log) say(mode, s.playing ? words.playsLog : words.logPaused);
-    else say(mode, driver ? `${driver} drives` : s.reason === 'obstacle' && s.free_ahead_m !== null ? words.obstacle(s.free_ahead_m * 100) : modeNow(s.mode));
-    say(speed, `${fixed(Math.abs(s.v), 2)} m/s`);
-  });
-}
 
 export function mountMapControls(app: App, over: HTMLElement): void {
   const control = (name: IconName, label: string, run: () => void, extra = ''): HTMLButtonElement => h('button', { 'aria-label': label, title: label, class: extra }, [icon(name)], { click: run });
@@ -131,6 +101,8 @@ export function mountLiveText(app: App, host: HTMLElement): void {
     const s = app.model.state;
     if (!s || document.hidden) return;
     const points = app.model.maps.get(app.model.view.shown[0] ?? '')?.points ?? 0;
-    say(host, `Robot at ${fixed(s.pose[0], 1)}, ${fixed(s.pose[1], 1)} m, heading ${heading(s.pose[2])}, ${fixed(Math.abs(s.v), 2)} m/s. ${whole(points)} points.`);
+    const { plan } = app.model;
+    const purpose = plan ? ` ${modeNow(s.mode)}${s.detail === '' ? '' : `, ${s.detail}`}: ${planInWords(plan)}.` : '';
+    say(host, `Robot at ${fixed(s.pose[0], 1)}, ${fixed(s.pose[1], 1)} m, heading ${heading(s.pose[2])}, ${fixed(Math.abs(s.v), 2)} m/s. ${whole(points)} points.${purpose}`);
   }, 5000);
 }

@@ -3,8 +3,9 @@
 
 /** Menus and popovers that hang below their button; dialogs, which repeat Stop. */
 import { h, type Child } from './dom.ts';
+import { icon, type IconName } from './icons.ts';
 
-export interface MenuItem { label: string; note?: string; current?: boolean; disabled?: boolean; run: () => void }
+export interface MenuItem { label: string; icon?: IconName; note?: string; current?: boolean; disabled?: boolean; run: () => void }
 const marginPx = 8;
 let open: { box: HTMLElement; opener: HTMLElement } | null = null;
 
@@ -51,8 +52,8 @@ function keepOffStop(box: HTMLElement): void {
 export function menu(opener: HTMLElement, label: string, items: readonly MenuItem[], role: 'menu' | 'listbox' = 'menu'): void {
   const itemRole = role === 'menu' ? 'menuitem' : 'option';
   const rows = items.map((item) => h('button', {
-    class: `item${(item.note?.length ?? 0) > 12 ? ' two' : ''}`, role: itemRole, disabled: item.disabled ?? false, 'aria-selected': role === 'listbox' ? String(item.current ?? false) : null,
-  }, [h('span', {}, item.label), item.note !== undefined && h('small', {}, item.note)], { click: () => { closePopover(); item.run(); } }));
+    class: `item${(item.note?.length ?? 0) > 12 ? ' two' : ''}`, role: itemRole, disabled: item.disabled ?? false, 'aria-selected': role === 'listbox' ? String(item.current ?? false) : null, 'aria-current': role === 'menu' && item.current === true ? 'true' : null,
+  }, [item.icon !== undefined && icon(item.icon), h('span', {}, item.label), item.note !== undefined && h('small', {}, item.note)], { click: () => { closePopover(); item.run(); } }));
   const box = popover(opener, label, rows, role);
   box?.addEventListener('keydown', (event) => {
     const step = event.key === 'ArrowDown' ? 1 : event.key === 'ArrowUp' ? -1 : 0;

@@ -150,6 +150,27 @@ test('driving: rights are asked for, handed over, and lost', async () => {
   }
 }, 30_000);
 
+test('a strategy says what it has in mind, in its form, and is silent when it ends', async () => {
+  const client = await Client.open(served, { token: served.token });
+  const modes = (await client.next<Message & { modes: string[] }>('welcome')).modes;
+  expect(modes).toEqual(expect.arrayContaining(['frontier', 'gvg', 'wall-left', 'wall-right', 'goto', 'home', 'stand']));
+  for (const mode of ['wall-left', 'frontier']) {
+    const from = client.mark();
+    client.say({ type: 'mode', mode });
+    await client.next('state', (m) => m['mode'] === mode && m['strategy'] === mode && m['detail'] !== '', from);
+    await client.next('plan', (m) => m['strategy'] === mode, from);
+  }
+  const late = await Client.open(served);
+  await late.next('plan', (m) => m['strategy'] === 'frontier');
+  const from = client.mark();
+  client.say({ type: 'stop' });
+  const none = await client.next<Message & { nodes: unknown[]; path: unknown[] }>('plan', (m) => m['strategy'] === '', from);
+  expect([none.nodes, none.path]).toEqual([[], []]);
+  expect(faults([...client.messages, ...late.messages])).toEqual([]);
+  late.close();
+  client.close();
+}, 30_000);
+
 test('options are recomputed from the log, and refused out of range', async () => {
   const client = await Client.open(served, { token: served.token });
   client.say({ type: 'options', method: 'evidence', options: { occupied_peak: 0.9 } });
