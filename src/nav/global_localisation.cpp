@@ -177,8 +177,13 @@ void GlobalLocalisation::believe(bool confirmed) {
   const bool already_looking = !confirmed && !confirmed_ && !searching_;
   if (!confirmed && !already_looking) search_.begin(map_.floor_m2());
   confirmed_ = confirmed;
-  unconfirmed_m_ = confirmed ? 0.0 : options_.confirm_m;
+  unconfirmed_m_ = confirmed ? 0.0 : confirm_way_m();
   filter_.keep_at_least(confirmed ? options_.filter.particles : options_.unconfirmed_particles);
+}
+
+/// On a small floor there are few places that could look alike.
+double GlobalLocalisation::confirm_way_m() const {
+  return std::min(options_.confirm_m, std::sqrt(map_.floor_m2()));
 }
 
 void GlobalLocalisation::track(double length_m, double way_m) {
@@ -276,7 +281,7 @@ void GlobalLocalisation::challenge(const ReadingProbes& fine) {
   for (std::size_t n = before; n < poses.size(); ++n)
     poses[n].weight = 1.0 / static_cast<double>(poses.size() - before);
   filter_.start_around(poses, 0.5 * around_m, 0.5 * around);
-  unconfirmed_m_ = options_.confirm_m;
+  unconfirmed_m_ = confirm_way_m();
 }
 
 void GlobalLocalisation::correct_heading(Angle seen_by_robot, Angle on_map, Angle deviation) {

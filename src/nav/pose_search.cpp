@@ -17,9 +17,20 @@ constexpr double kept_bin_m = 0.4;
 constexpr Angle kept_bin_turn = degrees(20.0);
 constexpr double first_climb_m = 0.12;
 constexpr Angle first_climb_turn = degrees(5.0);
+constexpr double drift_m = 0.04;  // of a hypothesis since it was last brought up to date
+constexpr Angle drift_turn = degrees(1.5);
+constexpr std::size_t followed_best = 150;    // hypotheses that are brought up to date at every step ...
+constexpr std::size_t followed_others = 150;  // ... and of the others so many
+constexpr std::size_t polished = 60;          // by all readings
+constexpr int polish_climbs = 20;
 
 bool better(const PoseHypothesis& a, const PoseHypothesis& b) {
   return a.log_likelihood > b.log_likelihood;
+}
+
+/// The window grows while the search goes on: what is held against more readings is not the worse for it.
+double per_reading(const PoseHypothesis& hypothesis, const ReadingProbes& probes) {
+  return hypothesis.log_likelihood / static_cast<double>(std::max<std::size_t>(1, probes.size()));
 }
 
 /// Of every bin the best hypothesis, of these the best `keep`, best first. Along a corridor a great many places fit
@@ -65,6 +76,7 @@ void PoseSearch::step(const LikelihoodMap& map, const ReadingProbes& coarse, con
   const double from = progress();
   tried_ += count;
   const double slice = (progress() - from) / static_cast<double>(count);
+  follow(map, fine, rng);
   std::vector<Pose2> candidates;
   candidates.reserve(count);
   for (std::uint64_t n = 0; n < count; ++n) {
@@ -72,9 +84,23 @@ void PoseSearch::step(const LikelihoodMap& map, const ReadingProbes& coarse, con
     candidates.push_back({place, degrees(rng.uniform(-180.0, 180.0))});
   }
   const auto keep = static_cast<std::size_t>(options_.kept_of_batch);
-  const auto found = best_of(candidates, keep, map, coarse, fine, rng);
-  hypotheses_.insert(hypotheses_.end(), found.begin(), found.end());
+  for (PoseHypothesis found : best_of(candidates, keep, map, coarse, fine, rng)) {
+    found.log_likelihood = per_reading(found, fine);
+    hypotheses_.push_back(found);
+  }
   thin();
+}
+
+/// Odometry has drifted since they were found, and there are newer readings.
+void PoseSearch::follow(const LikelihoodMap& map, const ReadingProbes& fine, Rng& rng) {
+  const auto refresh = [&](PoseHypothesis& hypothesis) {
+    hypothesis = climb(hypothesis, map, fine, {options_.climbs, drift_m, drift_turn}, rng);
+    hypothesis.log_likelihood = per_reading(hypothesis, fine);
+  };
+  const std::size_t best = std::min(followed_best, hypotheses_.size());
+  for (std::size_t n = 0; n < best; ++n) refresh(hypotheses_[n]);
+  for (std::size_t n = 0; n < followed_others && best < hypotheses_.size(); ++n)
+    refresh(hypotheses_[best + rng.below(hypotheses_.size() - best)]);
 }
 
 std::vector<PoseHypothesis> PoseSearch::best_of(const std::vector<Pose2>& candidates, std::size_t keep,
@@ -84,19 +110,19 @@ std::vector<PoseHypothesis> PoseSearch::best_of(const std::vector<Pose2>& candid
   found.reserve(candidates.size());
   for (const Pose2& candidate : candidates) found.push_back({candidate, coarse.fit(candidate).log_likelihood});
   keep_best(found, keep);
-  for (PoseHypothesis& hypothesis : found) hypothesis = climb(hypothesis, map, fine, rng);
+  for (PoseHypothesis& hypothesis : found) hypothesis = climb(hypothesis, map, fine, wide(), rng);
   std::sort(found.begin(), found.end(), better);
   return found;
 }
 
 PoseHypothesis PoseSearch::climb(PoseHypothesis from, const LikelihoodMap& map, const ReadingProbes& fine,
-                                 Rng& rng) const {
+                                 const Climb& by, Rng& rng) {
   from.log_likelihood = fine.fit(from.T_map_robot).log_likelihood;
-  for (int n = 0; n < options_.climbs; ++n) {
-    const double size = 1.0 - 0.8 * n / options_.climbs;
-    const double x = rng.normal(0.0, size * first_climb_m);
-    const double y = rng.normal(0.0, size * first_climb_m);
-    const Angle turn = rng.normal(0.0, 1.0) * size * first_climb_turn;
+  for (int n = 0; n < by.moves; ++n) {
+    const double size = 1.0 - 0.8 * n / by.moves;
+    const double x = rng.normal(0.0, size * by.first_m);
+    const double y = rng.normal(0.0, size * by.first_m);
+    const Angle turn = rng.normal(0.0, 1.0) * size * by.first_turn;
     PoseHypothesis moved{{from.T_map_robot.position + Vec2{x, y}, from.T_map_robot.heading + turn}, 0.0};
     if (!map.may_stand(moved.T_map_robot.position)) continue;
     moved.log_likelihood = fine.fit(moved.T_map_robot).log_likelihood;
@@ -106,11 +132,18 @@ PoseHypothesis PoseSearch::climb(PoseHypothesis from, const LikelihoodMap& map, 
 }
 
 void PoseSearch::judge(const LikelihoodMap& map, const ReadingProbes& quick, const ReadingProbes& all, Rng& rng) {
-  for (PoseHypothesis& hypothesis : hypotheses_) hypothesis = climb(hypothesis, map, quick, rng);
+  for (PoseHypothesis& hypothesis : hypotheses_) hypothesis = climb(hypothesis, map, quick, wide(), rng);
   thin();
   if (hypotheses_.size() > most_judged) hypotheses_.resize(most_judged);
   for (PoseHypothesis& h : hypotheses_) h.log_likelihood = all.fit(h.T_map_robot).log_likelihood;
   std::stable_sort(hypotheses_.begin(), hypotheses_.end(), better);
+  for (std::size_t n = 0; n < std::min(polished, hypotheses_.size()); ++n)
+    hypotheses_[n] = climb(hypotheses_[n], map, all, {polish_climbs, first_climb_m, first_climb_turn}, rng);
+  std::stable_sort(hypotheses_.begin(), hypotheses_.end(), better);
+}
+
+PoseSearch::Climb PoseSearch::wide() const {
+  return {options_.climbs, first_climb_m, first_climb_turn};
 }
 
 void PoseSearch::thin() {

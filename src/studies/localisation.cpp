@@ -24,9 +24,10 @@ using nav::LocalisationState;
 constexpr double right_m = 0.5;
 constexpr Angle right_turn = degrees(10.0);
 constexpr double wrong_m = 1.0;
+constexpr Angle wrong_turn = degrees(30.0);
 constexpr double update_period_s = 0.1;
 constexpr double sample_period_s = 1.0;
-constexpr double heard_margin_m = 6.0;  // of an evidence grid around the way
+constexpr double heard_margin_m = 6.0;              // of an evidence grid around the way
 constexpr std::uint64_t mapping_seed = 0x6d617070;  // of the drive that made the map: noise of its own
 
 /// The way of one seed, no longer than is watched.
@@ -52,7 +53,8 @@ Result<DenseGrid<CellState>> heard_map(sim::Scene scene, double cell_m, std::uin
   Box box{scene.drive.start.position, scene.drive.start.position};
   for (const Reading& reading : drive->readings) {
     const Vec2 p = reading.T_world_robot.position;
-    box = {{std::min(box.low.x, p.x), std::min(box.low.y, p.y)}, {std::max(box.high.x, p.x), std::max(box.high.y, p.y)}};
+    box = {{std::min(box.low.x, p.x), std::min(box.low.y, p.y)},
+           {std::max(box.high.x, p.x), std::max(box.high.y, p.y)}};
   }
   const Vec2 margin{heard_margin_m, heard_margin_m};
   live::NavigationGrid grid(cell_m);
@@ -110,11 +112,11 @@ class Pursuit {
 
   void judge(const Odometry& sample) {
     const Pose2 T_map_true = truth_at(sample.time_s);
-    const double step_s = std::exchange(time_s_, sample.time_s) < 0.0 ? 0.0 : sample.time_s - last_s_;
-    const double step_m = step_s > 0.0 ? norm(T_map_true.position - last_place_) : 0.0;
-    last_s_ = sample.time_s;
+    const double step_s = time_s_ ? sample.time_s - *time_s_ : 0.0;
+    const double step_m = time_s_ ? norm(T_map_true.position - last_place_) : 0.0;
+    time_s_ = sample.time_s;
     last_place_ = T_map_true.position;
-    const bool carried = request_.start == KnownStart::misled && sample.time_s > request_.carry_after_s;
+    const bool carried = request_.start == KnownStart::misled && sample.time_s + eps_s >= request_.carry_after_s;
     // The way on which it was carried is not its own.
     if (carried == carried_) run_.travelled_m += step_m;
     if (carried && !carried_) begin_again(sample.time_s);
@@ -150,7 +152,7 @@ class Pursuit {
     const bool claimed = state == LocalisationState::localised;
     if (claimed) localised_s_ += step_s;
     if (state == LocalisationState::ambiguous) ambiguous_s_ += step_s;
-    const bool wrong = claimed && error_m > wrong_m;
+    const bool wrong = claimed && (error_m > wrong_m || error > wrong_turn);
     misled_ = misled_ && wrong;
     if (wrong) (misled_ ? run_.misled_s : run_.wrong_s) += step_s;
     if (wrong && !misled_ && !was_wrong_) ++run_.wrong_claims;
@@ -164,7 +166,7 @@ class Pursuit {
   }
 
   void conclude() {
-    run_.time_s = std::max(0.0, time_s_);
+    run_.time_s = time_s_.value_or(0.0);
     const double whole_s = std::max(run_.time_s, eps_s);
     run_.localised_share = localised_s_ / whole_s;
     run_.ambiguous_share = ambiguous_s_ / whole_s;
@@ -185,10 +187,9 @@ class Pursuit {
   const StudyHost& host_;
   nav::GlobalLocalisation localisation_;
   LocalisationRun run_;
-  std::size_t heard_ = 0;  // readings
-  std::size_t true_ = 0;   // index of the newest true pose
-  double time_s_ = -1.0;
-  double last_s_ = 0.0;
+  std::size_t heard_ = 0;         // readings
+  std::size_t true_ = 0;          // index of the newest true pose
+  std::optional<double> time_s_;  // of the last update
   Vec2 last_place_;
   double begin_s_ = 0.0;  // of looking for its pose
   double begin_m_ = 0.0;
@@ -213,10 +214,9 @@ Result<LocalisationRun> localise(const LocalisationRequest& request, std::uint64
   Result<SimulatedDrive> drive = simulate_drive(scene, seed);
   if (!drive) return drive.error();
   if (request.start == KnownStart::misled) carry_away(*drive, request.carry_after_s, request.carry_ahead_s);
-  Result<DenseGrid<CellState>> map =
-      request.map == LocalisationMap::evidence
-          ? heard_map(scene, request.cell_m, seed)
-          : Result(surface_map(scene.world, scene.drive.start.position, request.cell_m));
+  Result<DenseGrid<CellState>> map = request.map == LocalisationMap::evidence
+                                         ? heard_map(scene, request.cell_m, seed)
+                                         : Result(surface_map(scene.world, scene.drive.start.position, request.cell_m));
   if (!map) return map.error();
   Pursuit pursuit(request, *drive, seed, host);
   if (!pursuit.follow(*map)) return interrupted_study();

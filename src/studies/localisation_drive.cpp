@@ -39,7 +39,7 @@ const Odometry& sample_at(const std::vector<Odometry>& samples, double time_s) {
 
 template <class Record>
 void cut(std::vector<Record>& records, double begin_s, double end_s) {
-  std::erase_if(records, [&](const Record& r) { return r.time_s > begin_s && r.time_s < end_s; });
+  std::erase_if(records, [&](const Record& r) { return r.time_s >= begin_s && r.time_s < end_s; });
   for (Record& r : records)
     if (r.time_s >= end_s) r.time_s -= end_s - begin_s;
 }
@@ -86,8 +86,8 @@ void carry_away(SimulatedDrive& drive, double after_s, double ahead_s) {
   Log& log = drive.log;
   const double until_s = after_s + ahead_s;
   if (log.odometry.empty() || log.odometry.back().time_s <= until_s) return;
-  const Pose2 T_old_new = sample_at(log.odometry, after_s).T_world_robot *
-                          inverse(sample_at(log.odometry, until_s).T_world_robot);
+  const Pose2 T_old_new =
+      sample_at(log.odometry, after_s).T_world_robot * inverse(sample_at(log.odometry, until_s).T_world_robot);
   for (Odometry& sample : log.odometry)
     if (sample.time_s >= until_s) sample.T_world_robot = T_old_new * sample.T_world_robot;
   for (Reading& reading : drive.readings) {

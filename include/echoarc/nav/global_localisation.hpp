@@ -78,11 +78,13 @@ struct LocalisationOptions {
               {.unit = "m", .min = 0.01, .max = 1000.0, .doc = "odometry that moves farther at once has jumped"}),
         field("jump_turn_deg", &O::jump_turn,
               {.unit = "deg", .min = 1.0, .max = 180.0, .doc = "so has odometry that turns farther at once"}),
-        field("confirm_m", &O::confirm_m,
-              {.unit = "m",
-               .min = 0.0,
-               .max = 1000.0,
-               .doc = "way after which a pose is believed that was searched for or has become doubtful"}),
+        field(
+            "confirm_m", &O::confirm_m,
+            {.unit = "m",
+             .min = 0.0,
+             .max = 1000.0,
+             .doc = "way after which a pose is believed that was searched for or has become doubtful; at most the root "
+                    "of the floor's area"}),
         field("unconfirmed_exponent", &O::unconfirmed_exponent,
               {.min = 0.01,
                .max = 1.0,
@@ -171,6 +173,7 @@ class GlobalLocalisation {
   [[nodiscard]] std::vector<Pose2> newcomers(double ratio);
   void confirm();
   void believe(bool confirmed);
+  [[nodiscard]] double confirm_way_m() const;
   void challenge(const ReadingProbes& fine);
   [[nodiscard]] ReadingProbes window_probes(double sigma_m, std::size_t most) const;
   [[nodiscard]] std::vector<PoseCluster> belief() const;

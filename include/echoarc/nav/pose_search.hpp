@@ -53,7 +53,7 @@ struct PoseSearchOptions {
 
 struct PoseHypothesis {
   Pose2 T_map_robot;
-  double log_likelihood = 0.0;  ///< of the recent readings
+  double log_likelihood = 0.0;  ///< of the recent readings; while the search goes on, of one of them on average
 };
 
 /// Looks over the whole free floor of a map for poses that fit recent readings, a batch at a time so that no step takes
@@ -86,8 +86,16 @@ class PoseSearch {
                                                     const ReadingProbes& fine, Rng& rng) const;
 
  private:
-  [[nodiscard]] PoseHypothesis climb(PoseHypothesis from, const LikelihoodMap& map, const ReadingProbes& fine,
-                                     Rng& rng) const;
+  /// Random moves, smaller and smaller.
+  struct Climb {
+    int moves = 0;
+    double first_m = 0.0;
+    Angle first_turn;
+  };
+  [[nodiscard]] static PoseHypothesis climb(PoseHypothesis from, const LikelihoodMap& map, const ReadingProbes& fine,
+                                            const Climb& by, Rng& rng);
+  [[nodiscard]] Climb wide() const;
+  void follow(const LikelihoodMap& map, const ReadingProbes& fine, Rng& rng);
   void thin();
 
   PoseSearchOptions options_;

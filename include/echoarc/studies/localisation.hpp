@@ -51,8 +51,8 @@ struct LocalisationSample {
   Pose2 T_map_true;
 };
 
-/// A claim is right within 0.5 m and 10 degrees, and a confident wrong one from 1 m on. Both are asked whenever
-/// odometry is heard, and only while the robot says "localised".
+/// A claim is right within 0.5 m and 10 degrees, and a confident wrong one from 1 m or 30 degrees on. Both are asked
+/// whenever odometry is heard, and only while the robot says "localised".
 struct LocalisationRun {
   std::uint64_t seed = 0;
   double time_s = 0.0;

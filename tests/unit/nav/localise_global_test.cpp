@@ -133,6 +133,36 @@ TEST(Localisation, FindsARobotThatWasCarriedAway) {
   EXPECT_TRUE(right(localisation.estimate(), robot));
 }
 
+TEST(Localisation, HypothesesOfALongSearchFollowTheReadingsWhileOdometryDrifts) {
+  const LikelihoodMap map(grid_of(odd_room()));
+  Wanderer robot(odd_room(), T_world_start, 5);
+  PoseSearchOptions options;
+  options.batch = 100;
+  options.kept_of_batch = 1;
+  PoseSearch search(options);
+  search.begin(1e6);  // far more than it will get through
+  search.add(T_world_start);
+  Rng rng(1);
+  Pose2 T_map_reckoned = T_world_start;
+  std::size_t place = 1;
+  for (int n = 0; n < 60; ++n) {
+    const Pose2 T_odom_before = robot.T_odom_robot();
+    while (!robot.step_towards(loop()[place % loop().size()])) ++place;
+    Pose2 T_before_now = inverse(T_odom_before) * robot.T_odom_robot();
+    T_before_now.heading = T_before_now.heading + degrees(0.5);  // as from a wheel that is too small
+    T_map_reckoned = T_map_reckoned * T_before_now;
+    search.move(T_before_now);
+    ReadingProbes probes(map, {});
+    for (const Reading& reading : robot.listen()) probes.add(reading, robot.T_odom_robot());
+    search.step(map, probes, probes, rng);
+  }
+  const Pose2& T_true = robot.T_world_robot();
+  EXPECT_GT(norm(T_map_reckoned.position - T_true.position), 0.5);
+  const Pose2& T_best = search.hypotheses().front().T_map_robot;
+  EXPECT_LT(norm(T_best.position - T_true.position), 0.2);
+  EXPECT_LT(abs(wrap(T_best.heading - T_true.heading)), degrees(6.0));
+}
+
 TEST(Localisation, OneSeedGivesTheSameEstimateBitForBit) {
   const auto run = [](std::uint64_t seed) {
     GlobalLocalisation localisation = on_map(odd_room(), seed);
