@@ -7,14 +7,6 @@
 #include <utility>
 
 namespace echoarc::live {
-namespace {
-
-// Of the hull: nearer than this a strategy and its control heed the local map, too.
-constexpr double close_m = 0.3;
-// A single echo may be noise.
-constexpr int sure_hits = 2;
-
-}  // namespace
 
 LiveRobot::LiveRobot(std::unique_ptr<Source> source, const ControlOptions& options)
     : source_(std::move(source)), obstacles_(source_->description().robot) {
@@ -43,9 +35,10 @@ Result<void> LiveRobot::step(double until_s, double host_s, std::vector<Record>&
     if (robot != nullptr) {
       if (control_->state().mode == Mode::navigate) {
         ask_strategy(records);
-        robot->command(control_->update(*robot, GuardedObstacles(navigator_->points(), obstacles_, close_m), host_s));
+        robot->command(control_->update(*robot, PointObstacles(navigator_->points()), host_s));
       } else {
         note_wall(WallSide::unknown, records);
+        if (navigator_) navigator_->rest(source_->time_s(), robot->T_world_base().position);
         robot->command(control_->update(*robot, obstacles_, host_s));
       }
       note_commands(records);
@@ -65,10 +58,7 @@ void LiveRobot::ask_strategy(std::vector<Record>& records) {
   const Drivable& robot = *source_->drivable();
   if (source_->time_s() < next_steering_s_) return;
   next_steering_s_ += steering_period_s;
-  const Pose2 T_world_base = robot.T_world_base();
-  const std::vector<Vec2> beside =
-      obstacles_.points_near(T_world_base.position, source_->description().robot.radius_m + close_m, sure_hits);
-  const nav::Steering steering = navigator_->steer(source_->time_s(), T_world_base, robot.velocity(), beside);
+  const nav::Steering steering = navigator_->steer(source_->time_s(), robot.T_world_base(), robot.velocity());
   control_->obey(steering);
   note_wall(steering.followed.value_or(WallSide::unknown), records);
 }

@@ -162,15 +162,6 @@ std::vector<Vec2> LocalMap::points() const {
   return places;
 }
 
-std::vector<Vec2> LocalMap::points_near(Vec2 place, double reach_m, int least_hits) const {
-  std::vector<Vec2> places;
-  for (const auto& [cell, point] : points_)
-    if (point.hits >= least_hits && squared_norm(point.place - place) <= reach_m * reach_m)
-      places.push_back(point.place);
-  std::ranges::sort(places, [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  return places;
-}
-
 std::uint64_t LocalMap::cell_of(Vec2 place) const {
   const auto index = [&](double coordinate) {
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(coordinate / options_.spacing_m)));

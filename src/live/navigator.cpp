@@ -108,11 +108,9 @@ void Navigator::follow(std::unique_ptr<nav::Strategy> strategy, std::span<const 
   map_time_s_ = -std::numeric_limits<double>::infinity();
 }
 
-nav::Steering Navigator::steer(double time_s, const Pose2& T_world_base, const RobotVelocity& velocity,
-                               std::span<const Vec2> beside) {
+nav::Steering Navigator::steer(double time_s, const Pose2& T_world_base, const RobotVelocity& velocity) {
   map_readings();
   refresh_points(T_world_base.position);
-  points_.insert(points_.end(), beside.begin(), beside.end());
   if (time_s >= map_time_s_ + options_.map_period_s) refresh_map(time_s, T_world_base.position);
   return strategy_->update({.time_s = time_s,
                             .T_world_base = T_world_base,
@@ -120,6 +118,12 @@ nav::Steering Navigator::steer(double time_s, const Pose2& T_world_base, const R
                             .points = points_,
                             .map = map().cells().empty() ? nullptr : &map().cells(),
                             .map_version = map().version()});
+}
+
+void Navigator::rest(double time_s, Vec2 here) {
+  if (time_s < map_time_s_ + options_.map_period_s) return;
+  map_readings();
+  refresh_map(time_s, here);
 }
 
 void Navigator::map_readings() {
@@ -169,14 +173,6 @@ std::optional<double> PointObstacles::free_along(const Pose2& T_world_base, cons
                                                  double hull_radius_m, int /*least_hits*/) const {
   constexpr double look_m = 3.0;
   return nav::free_way_m(T_world_base, velocity, hull_radius_m, points_, look_m);
-}
-
-std::optional<double> GuardedObstacles::free_along(const Pose2& T_world_base, const RobotVelocity& velocity,
-                                                   double hull_radius_m, int least_hits) const {
-  const std::optional<double> free_m = points_.free_along(T_world_base, velocity, hull_radius_m, least_hits);
-  const std::optional<double> close_m = close_->free_along(T_world_base, velocity, hull_radius_m, least_hits);
-  if (!close_m || *close_m > close_m_ || (free_m && *free_m <= *close_m)) return free_m;
-  return close_m;
 }
 
 }  // namespace echoarc::live

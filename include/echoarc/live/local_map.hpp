@@ -58,8 +58,6 @@ class LocalMap final : public Obstacles {
   static constexpr double look_m = 3.0;
 
   [[nodiscard]] std::vector<Vec2> points() const;
-  /// Those within `reach_m` of a place that were heard at least so often, by x, then y.
-  [[nodiscard]] std::vector<Vec2> points_near(Vec2 place, double reach_m, int least_hits) const;
 
  private:
   struct Point {

@@ -52,9 +52,10 @@ class Navigator {
   void follow(std::unique_ptr<nav::Strategy> strategy, std::span<const Vec2> places = {});
   [[nodiscard]] const nav::Strategy* strategy() const { return strategy_.get(); }
   /// Brings the maps up to date and asks the strategy, of which there is one. `T_world_base` in the odometry's frame.
-  /// `beside`: obstacles that somebody else knows of, close to the robot, world, m.
-  [[nodiscard]] nav::Steering steer(double time_s, const Pose2& T_world_base, const RobotVelocity& velocity,
-                                    std::span<const Vec2> beside = {});
+  [[nodiscard]] nav::Steering steer(double time_s, const Pose2& T_world_base, const RobotVelocity& velocity);
+
+  /// Brings the maps up to date while no strategy drives: nothing waits to be mapped, whenever one begins.
+  void rest(double time_s, Vec2 here);
 
   /// Obstacles near the robot as of the last `steer`, world, m.
   [[nodiscard]] std::span<const Vec2> points() const { return points_; }
@@ -97,21 +98,6 @@ class PointObstacles final : public Obstacles {
 
  private:
   std::span<const Vec2> points_;
-};
-
-/// The obstacles of a navigator, and close to the hull whatever a local map believes in: a method drops what few
-/// readings support, and a smooth wall met at a slant is supported by few.
-class GuardedObstacles final : public Obstacles {
- public:
-  GuardedObstacles(std::span<const Vec2> points, const Obstacles& close, double close_m)
-      : points_(points), close_(&close), close_m_(close_m) {}
-  [[nodiscard]] std::optional<double> free_along(const Pose2& T_world_base, const RobotVelocity& velocity,
-                                                 double hull_radius_m, int least_hits = 1) const override;
-
- private:
-  PointObstacles points_;
-  const Obstacles* close_;
-  double close_m_;
 };
 
 }  // namespace echoarc::live

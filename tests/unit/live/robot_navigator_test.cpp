@@ -98,6 +98,16 @@ TEST(Navigator, FollowedWallIsNotedInTheLogOnceAndEndsWithTheMode) {
   EXPECT_EQ(sides, (std::vector{WallSide::left, WallSide::unknown}));
 }
 
+TEST(Navigator, MapsWhileNobodyNavigates) {
+  LiveRobot robot = navigated();
+  std::vector<Record> records;
+  run(robot, 0.0, 3.0, records);
+  const std::uint64_t version = robot.navigator()->map().version();
+  EXPECT_GT(version, 2U);
+  run(robot, 3.0, 6.0, records);
+  EXPECT_GT(robot.navigator()->map().version(), version);
+}
+
 TEST(Navigator, StopAndDriverTakeOver) {
   LiveRobot robot = navigated();
   std::vector<Record> records;
