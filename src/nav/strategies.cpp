@@ -45,6 +45,7 @@ std::unique_ptr<Strategy> make_frontier_exploration(const StrategySettings& sett
 std::unique_ptr<Strategy> go_to(const StrategySettings& settings, std::vector<Vec2> goals, std::string_view name) {
   GoToOptions options;
   options.follower.speed_m_s = settings.cruise_m_s;
+  options.follower.arrival_m = 0.2;  // nearer by, a histogram of sectors may turn the robot for ever
   return std::make_unique<GoTo>(std::move(goals), settings.body, options, histogram_avoidance(settings), name);
 }
 

@@ -98,7 +98,7 @@ TEST_F(Strategies, GoesToAPointByAPlanAndBackHome) {
   viewer.say(ModeMessage{"home", {}, {}});
   ASSERT_TRUE(drives_by(viewer, "home"));
   EXPECT_TRUE((*viewer.last("state"))["goal"].is_array());
-  ASSERT_TRUE(ends(viewer, "finished"));
+  ASSERT_TRUE(ends(viewer, "finished")) << (*viewer.last("state")).dump();
   EXPECT_LT(norm(position_in(*viewer.last("state")) - Vec2{1.0, 2.0}), 0.3);
 }
 
