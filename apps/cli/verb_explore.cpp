@@ -77,9 +77,9 @@ Result<io::SceneFile> scene_of(const ExploreArguments& arguments) {
 }
 
 Result<studies::ExplorationRequest> request_of(const ExploreArguments& arguments, io::SceneFile file) {
-  nav::StrategySettings settings{.body = {.radius_m = file.scene.robot.radius_m, .limits = {}},
-                                 .cruise_m_s = arguments.speed_m_s.value_or(file.scene.drive.speed_m_s),
-                                 .goals = file.goals};
+  const nav::StrategySettings settings{.body = {.radius_m = file.scene.robot.radius_m, .limits = {}},
+                                       .cruise_m_s = arguments.speed_m_s.value_or(file.scene.drive.speed_m_s),
+                                       .goals = file.goals};
   const Result<std::unique_ptr<nav::Strategy>> tried = nav::make_strategy(arguments.strategy, settings);
   if (!tried) return tried.error();
   studies::ExplorationRequest request;

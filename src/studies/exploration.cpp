@@ -101,7 +101,7 @@ class Watch {
 
   void keep(std::vector<live::Record>& records) {
     if (request_.keep_log)
-      for (live::Record& record : records) std::visit([&](auto& said) { put(std::move(said)); }, record);
+      for (const live::Record& record : records) std::visit([&](const auto& said) { put(said); }, record);
     records.clear();
   }
 
@@ -109,20 +109,19 @@ class Watch {
 
  private:
   template <class Said>
-  void put(Said said) {
-    Log& log = run_.log;
+  void put(const Said& said) {
     if constexpr (std::is_same_v<Said, Odometry>)
-      log.odometry.push_back(said);
+      run_.log.odometry.push_back(said);
     else if constexpr (std::is_same_v<Said, live::Truth>)
-      log.truth.push_back(said.pose);
+      run_.log.truth.push_back(said.pose);
     else if constexpr (std::is_same_v<Said, Ping>)
-      log.pings.push_back(said);
+      run_.log.pings.push_back(said);
     else if constexpr (std::is_same_v<Said, Poll>)
-      log.polls.push_back(std::move(said));
+      run_.log.polls.push_back(said);
     else if constexpr (std::is_same_v<Said, Scan>)
-      log.scans.push_back(std::move(said));
+      run_.log.scans.push_back(said);
     else if constexpr (std::is_same_v<Said, WallNote>)
-      log.walls.push_back(said);
+      run_.log.walls.push_back(said);
   }
 
   const ExplorationRequest& request_;
