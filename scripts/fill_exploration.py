@@ -38,7 +38,7 @@ def cell(measured, names, unit):
             value, runs = measured[name]
             if unit == "%":
                 return f"{100 * float(value):.1f} %"
-            return f"{value} of {runs}" if runs else value
+            return f"{value} of {runs}" if runs else f"{float(value):g}"
     return ""
 
 

@@ -13,6 +13,7 @@
 
 #include "cli/report.hpp"
 #include "cli/table.hpp"
+#include "cli/text_file.hpp"
 #include "echoarc/eval/statistics.hpp"
 #include "echoarc/io/byte_sink.hpp"
 #include "echoarc/io/exploration_picture.hpp"
@@ -118,13 +119,6 @@ std::string coverage_csv(const std::vector<ExplorationRun>& runs) {
     for (const studies::CoverageSample& sample : run.coverage)
       text += fmt::format("{},{:.2f},{:.3f},{:.5f}\n", run.seed, sample.time_s, sample.travelled_m, sample.covered);
   return text;
-}
-
-Result<void> write_text(const std::filesystem::path& path, std::string_view text) {
-  const Result<std::unique_ptr<io::FileSink>> sink = io::FileSink::create(path);
-  if (!sink) return sink.error();
-  if (Result<void> written = (*sink)->write(text); !written) return written;
-  return (*sink)->commit();
 }
 
 Result<void> write_log(const std::filesystem::path& path, const Log& log) {

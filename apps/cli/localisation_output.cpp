@@ -4,7 +4,6 @@
 #include "cli/localisation_output.hpp"
 
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -12,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/table.hpp"
-#include "echoarc/io/byte_sink.hpp"
+#include "cli/text_file.hpp"
 #include "echoarc/io/run_report.hpp"
 
 namespace echoarc::cli {
@@ -89,13 +88,6 @@ std::string believed_csv(const std::vector<LocalisationRun>& runs) {
                           truth.position.x, truth.position.y, truth.heading.deg());
     }
   return text;
-}
-
-Result<void> write_text(const std::filesystem::path& path, std::string_view text) {
-  const Result<std::unique_ptr<io::FileSink>> sink = io::FileSink::create(path);
-  if (!sink) return sink.error();
-  if (Result<void> written = (*sink)->write(text); !written) return written;
-  return (*sink)->commit();
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +13,7 @@
 
 #include "cli/report.hpp"
 #include "cli/table.hpp"
-#include "echoarc/io/byte_sink.hpp"
+#include "cli/text_file.hpp"
 #include "echoarc/io/run_report.hpp"
 #include "echoarc/studies/sweep_charts.hpp"
 
@@ -157,13 +156,6 @@ std::string runs_csv(const SweepResult& result) {
       text += "\n";
     }
   return text;
-}
-
-Result<void> write_text(const std::filesystem::path& path, std::string_view text) {
-  const Result<std::unique_ptr<io::FileSink>> sink = io::FileSink::create(path);
-  if (!sink) return sink.error();
-  if (Result<void> written = (*sink)->write(text); !written) return written;
-  return (*sink)->commit();
 }
 
 }  // namespace
